@@ -1,0 +1,45 @@
+# One static library per folder of src/tukor, and one test program from its *_test.cpp files.
+#
+#   tukor_module(optics DEPENDS base PUBLIC glm::glm PRIVATE Foo::foo)
+#
+# Sources are the folder's *.cpp; headers its *.h, installed by their path below src.
+function(tukor_module name)
+    cmake_parse_arguments(arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST_LIBRARIES" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+    file(GLOB headers CONFIGURE_DEPENDS *.h)
+    file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
+    if(tests)
+        list(REMOVE_ITEM sources ${tests})
+    endif()
+
+    set(target tukor_${name})
+    list(TRANSFORM arg_DEPENDS PREPEND tukor_)
+    if(sources)
+        add_library(${target} STATIC ${sources})
+        target_include_directories(${target} PUBLIC
+            $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+        target_link_libraries(${target} PUBLIC ${arg_DEPENDS} ${arg_PUBLIC}
+                              PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:tukor_settings>)
+        target_compile_features(${target} PUBLIC cxx_std_20)
+        target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+    else()
+        add_library(${target} INTERFACE)
+        target_include_directories(${target} INTERFACE
+            $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+        target_link_libraries(${target} INTERFACE ${arg_DEPENDS} ${arg_PUBLIC})
+        target_compile_features(${target} INTERFACE cxx_std_20)
+        target_sources(${target} INTERFACE FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
+    endif()
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+    add_library(tukor::${name} ALIAS ${target})
+    set_property(GLOBAL APPEND PROPERTY TUKOR_MODULES ${target})
+
+    if(TUKOR_TESTS AND tests)
+        add_executable(${target}_test ${tests})
+        target_link_libraries(${target}_test PRIVATE ${target} tukor_settings ${arg_TEST_LIBRARIES}
+                              GTest::gtest GTest::gmock GTest::gtest_main)
+        target_compile_definitions(${target}_test PRIVATE
+            TUKOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+        gtest_discover_tests(${target}_test DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit TIMEOUT 120)
+    endif()
+endfunction()

@@ -1,0 +1,1 @@
+# The installable package: find_package(tukor) gives tukor::<module> targets.
