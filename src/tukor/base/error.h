@@ -7,8 +7,9 @@ namespace tukor {
 
 /// The world is wrong: a file, its contents, a driver. Never used for flow.
 ///
-/// The message names the thing, what was found, what was expected and the remedy if one exists; lower case, no full stop:
-/// `studio.hdr: 2047 x 1024 pixels; an equirectangular panorama must be exactly twice as wide as high`.
+/// The message names the thing, what was found, what was expected and the remedy if one exists;
+/// lower case, no full stop: `studio.hdr: 2047 x 1024 pixels; an equirectangular panorama must be
+/// exactly twice as wide as high`.
 class Error : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -1,8 +1,5 @@
 #include "tukor/base/file.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cctype>
@@ -10,6 +7,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+
+#include <fmt/format.h>
+#include <unistd.h>
 
 #include "tukor/base/error.h"
 

@@ -10,10 +10,12 @@
 
 namespace tukor {
 
-/// The largest file that any reader accepts, in bytes: four times an uncompressed 8192 x 4096 float panorama.
+/// The largest file that any reader accepts, in bytes: four times an uncompressed 8192 x 4096 float
+/// panorama.
 inline constexpr std::uint64_t kMaxFileBytes = 1ull << 31;
 
-/// The bytes of a regular file. Throws Error when it is missing, a folder, unreadable or above `maxBytes`.
+/// The bytes of a regular file. Throws Error when it is missing, a folder, unreadable or above
+/// `maxBytes`.
 [[nodiscard]] std::vector<std::byte> readFile(const std::filesystem::path& path,
                                               std::uint64_t maxBytes = kMaxFileBytes);
 

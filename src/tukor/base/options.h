@@ -1,6 +1,8 @@
-// The vocabulary of option tables: one `describe(options, field)` per option struct, read by every front end.
+// The vocabulary of option tables: one `describe(options, field)` per option struct, read by every
+// front end.
 //
-// A front end is a visitor: field(name, value, extra, help) with a Range for numbers or Spellings for enumerations.
+// A front end is a visitor: field(name, value, extra, help) with a Range for numbers or Spellings
+// for enumerations.
 #pragma once
 #include <span>
 #include <string_view>

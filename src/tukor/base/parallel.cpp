@@ -48,7 +48,9 @@ void parallelFor(int begin, int end, int grain, const std::function<void(int, in
 
 void setThreadCount(int) {}
 
-int threadCount() noexcept { return 1; }
+int threadCount() noexcept {
+    return 1;
+}
 
 #endif
 

@@ -4,9 +4,11 @@
 
 namespace tukor {
 
-/// Calls `body(begin, end)` on disjoint pieces of [begin, end), each at most `grain` long, and waits for all.
+/// Calls `body(begin, end)` on disjoint pieces of [begin, end), each at most `grain` long, and
+/// waits for all.
 ///
-/// Which thread runs which piece varies; results must not depend on it. An exception in a body is rethrown here.
+/// Which thread runs which piece varies; results must not depend on it. An exception in a body is
+/// rethrown here.
 void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body);
 
 /// How many threads parallelFor uses from now on; 0 means all cores.

@@ -2,9 +2,10 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 namespace tukor {
 
@@ -32,7 +33,8 @@ public:
     [[nodiscard]] std::span<const glm::vec3> texels(CubeFace face) const noexcept;
     [[nodiscard]] std::span<glm::vec3> texels(CubeFace face) noexcept;
 
-    /// Bilinear radiance from a world direction of any non-zero length; seamless across edges, as GLES 3 samples it.
+    /// Bilinear radiance from a world direction of any non-zero length; seamless across edges, as
+    /// GLES 3 samples it.
     [[nodiscard]] glm::vec3 radiance(glm::vec3 direction) const noexcept;
 
 private:

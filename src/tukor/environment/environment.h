@@ -1,4 +1,5 @@
-// Captured or computed light from all around: what `--environment` names, made ready for the renderers.
+// Captured or computed light from all around: what `--environment` names, made ready for the
+// renderers.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -17,12 +18,15 @@ struct EnvironmentOptions {
 struct Environment {
     std::string name;
     CubeMap radiance;
-    std::vector<std::string> warnings;  // replaced texels and the like, one sentence each, without the file's name
+    std::vector<std::string>
+        warnings;  // replaced texels and the like, one sentence each, without the file's name
 };
 
-/// From a built-in name (`studio`, `sky`) or an image file: equirectangular, cross, or six faces by a pattern.
+/// From a built-in name (`studio`, `sky`) or an image file: equirectangular, cross, or six faces by
+/// a pattern.
 ///
 /// A file wins over a built-in only when it is given with a folder or an extension. Throws Error.
-[[nodiscard]] Environment loadEnvironment(const std::string& nameOrPath, const EnvironmentOptions& options = {});
+[[nodiscard]] Environment loadEnvironment(const std::string& nameOrPath,
+                                          const EnvironmentOptions& options = {});
 
 }  // namespace tukor

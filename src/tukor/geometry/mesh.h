@@ -1,14 +1,15 @@
 // Triangle meshes with a normal at every corner: the one surface format every renderer consumes.
 #pragma once
-#include <glm/glm.hpp>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 namespace tukor {
 
 /// Indexed triangles, counter-clockwise seen from outside. Metres.
 ///
-/// `normals` are unit, one per position; a crease or a flat facet has its vertices doubled. Shading normals point to the same
-/// side as the winding for well-formed meshes.
+/// `normals` are unit, one per position; a crease or a flat facet has its vertices doubled. Shading
+/// normals point to the same side as the winding for well-formed meshes.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;

@@ -17,7 +17,7 @@ struct Material {
     glm::vec3 eta{1.5f};     // index for R, G, B against vacuum; a dielectric has all three alike
     glm::vec3 k{0.0f};       // extinction for R, G, B, >= 0; metals only
     glm::vec3 sigmaA{0.0f};  // absorption inside a dielectric, 1/m, >= 0
-    int priority = 0;        // where dielectrics overlap, the highest priority is the one that is there
+    int priority = 0;  // where dielectrics overlap, the highest priority is the one that is there
 
     friend bool operator==(const Material&, const Material&) = default;
 };

@@ -4,7 +4,8 @@
 
 TUKOR_SHARED_BEGIN(optics)
 
-/// Beer-Lambert transmittance of `distance` metres of a medium with absorption `sigmaA` in 1/m; 1 where sigmaA is 0.
+/// Beer-Lambert transmittance of `distance` metres of a medium with absorption `sigmaA` in 1/m; 1
+/// where sigmaA is 0.
 TUKOR_FN vec3 transmittance(vec3 sigmaA, float distance) {
     return exp(-sigmaA * distance);
 }

@@ -1,19 +1,23 @@
-// Where light goes at an ideal smooth interface: the flip of the normal, reflection, refraction. Shared source.
+// Where light goes at an ideal smooth interface: the flip of the normal, reflection, refraction.
+// Shared source.
 //
-// `d` is the unit direction of travel along the light path, towards the surface (the lecture's d; wo = -d).
+// `d` is the unit direction of travel along the light path, towards the surface (the lecture's d;
+// wo = -d).
 #pragma once
 #include "tukor/optics/shared.h"
 
 TUKOR_SHARED_BEGIN(optics)
 
-/// A surface as light meets it: the normal on the side it comes from, the index ratio across in that sense.
+/// A surface as light meets it: the normal on the side it comes from, the index ratio across in
+/// that sense.
 struct Interface {
     vec3 n;           // unit, dot(d, n) <= 0
     float cosThetaI;  // in [0, 1]
     float eta;        // etaT / etaI
 };
 
-/// Lecture row 12: when d comes from behind `n`, flip the normal and invert `eta` (outside over inside -> inside over out).
+/// Lecture row 12: when d comes from behind `n`, flip the normal and invert `eta` (outside over
+/// inside -> inside over out).
 TUKOR_FN Interface facing(vec3 d, vec3 n, float eta) {
     Interface face;
     float c = -dot(d, n);
@@ -29,7 +33,8 @@ TUKOR_FN Interface facing(vec3 d, vec3 n, float eta) {
     return face;
 }
 
-/// Lecture row 13: the mirror image of d; unit when d and n are. Equals GLSL's reflect(d, n) for either sign of n.
+/// Lecture row 13: the mirror image of d; unit when d and n are. Equals GLSL's reflect(d, n) for
+/// either sign of n.
 TUKOR_FN vec3 reflectDirection(vec3 d, vec3 n) {
     vec3 perpendicular = dot(n, d) * n;
     vec3 parallel = d - perpendicular;
@@ -43,7 +48,8 @@ struct Refraction {
     bool total;       // total internal reflection
 };
 
-/// Lecture row 14, Snell's law: `n` faces the light, `eta` = etaT / etaI = sin thetaI / sin thetaT (the lecture's mu).
+/// Lecture row 14, Snell's law: `n` faces the light, `eta` = etaT / etaI = sin thetaI / sin thetaT
+/// (the lecture's mu).
 ///
 /// GLSL's own refract() wants 1 / eta; nothing but this file may call it, and this file need not.
 TUKOR_FN Refraction refractDirection(vec3 d, vec3 n, float eta) {

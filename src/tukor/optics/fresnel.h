@@ -20,10 +20,12 @@ TUKOR_FN float fresnelDielectric(float cosThetaI, float eta) {
     return 0.5f * (rs * rs + rp * rp);
 }
 
-/// Conductor of index eta + i k, per colour channel; k = 0 is the dielectric without total reflection.
+/// Conductor of index eta + i k, per colour channel; k = 0 is the dielectric without total
+/// reflection.
 ///
-/// a + i b is the complex eta * cosThetaT. The usual a^2 = (|.|^2 + t0) / 2 cancels when t0 < 0 and k is small (error
-/// 5e-4); the other root of the same quadratic does not (1.2e-6). [Born & Wolf 1999, sec. 14.2]
+/// a + i b is the complex eta * cosThetaT. The usual a^2 = (|.|^2 + t0) / 2 cancels when t0 < 0 and
+/// k is small (error 5e-4); the other root of the same quadratic does not (1.2e-6). [Born & Wolf
+/// 1999, sec. 14.2]
 TUKOR_FN vec3 fresnelConductor(float cosThetaI, vec3 eta, vec3 k) {
     float cos2 = cosThetaI * cosThetaI;
     float sin2 = 1.0f - cos2;
@@ -41,16 +43,19 @@ TUKOR_FN vec3 fresnelConductor(float cosThetaI, vec3 eta, vec3 k) {
     return 0.5f * (Rs + Rp);
 }
 
-/// Reflectance at normal incidence, the lecture's R0, of index eta + i k relative to the incident side.
+/// Reflectance at normal incidence, the lecture's R0, of index eta + i k relative to the incident
+/// side.
 TUKOR_FN vec3 reflectanceAtNormal(vec3 eta, vec3 k) {
     vec3 below = eta - vec3(1.0f);
     vec3 above = eta + vec3(1.0f);
     return (below * below + k * k) / (above * above + k * k);
 }
 
-/// The lecture's approximation, R0 + (1 - R0)(1 - cos)^5. [Schlick 1994; Lazanyi & Szirmay-Kalos 2005]
+/// The lecture's approximation, R0 + (1 - R0)(1 - cos)^5. [Schlick 1994; Lazanyi & Szirmay-Kalos
+/// 2005]
 ///
-/// For a dielectric left from inside, pass the cosine on the thin side: this function knows no total reflection.
+/// For a dielectric left from inside, pass the cosine on the thin side: this function knows no
+/// total reflection.
 TUKOR_FN vec3 fresnelSchlick(float cosThetaI, vec3 R0) {
     float m = 1.0f - cosThetaI;
     float m2 = m * m;

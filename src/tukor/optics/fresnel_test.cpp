@@ -8,7 +8,9 @@
 namespace tukor::optics {
 namespace {
 
-TEST(FresnelDielectric, IsOneBeyondTheCriticalAngle) { EXPECT_EQ(fresnelDielectric(0.1f, 1.0f / 1.5f), 1.0f); }
+TEST(FresnelDielectric, IsOneBeyondTheCriticalAngle) {
+    EXPECT_EQ(fresnelDielectric(0.1f, 1.0f / 1.5f), 1.0f);
+}
 
 }  // namespace
 }  // namespace tukor::optics

@@ -1,8 +1,9 @@
 // The contract of shared source: what lets one file compile as C++20 and as GLSL ES 3.00.
 //
-// A shared file uses float, int, uint, bool, vecN, matN, structs filled field by field and GLSL's built-in functions;
-// literals carry `f`; arguments go by value; results that need two values are structs or TUKOR_OUT parameters. No swizzles,
-// references, auto, default arguments, constructors or namespaces of its own. Local vectors are made by vec3(x, y, z).
+// A shared file uses float, int, uint, bool, vecN, matN, structs filled field by field and GLSL's
+// built-in functions; literals carry `f`; arguments go by value; results that need two values are
+// structs or TUKOR_OUT parameters. No swizzles, references, auto, default arguments, constructors
+// or namespaces of its own. Local vectors are made by vec3(x, y, z).
 #ifdef __cplusplus
 #pragma once
 #include <glm/glm.hpp>
@@ -28,10 +29,11 @@ using uint = glm::uint;
 using glm::ivec2, glm::ivec3, glm::ivec4, glm::uvec2, glm::uvec3, glm::uvec4;
 using glm::vec2, glm::vec3, glm::vec4, glm::mat3, glm::mat4;
 
-using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::distance, glm::dot,
-    glm::exp, glm::exp2, glm::floatBitsToUint, glm::floor, glm::fract, glm::inversesqrt, glm::length, glm::log, glm::log2,
-    glm::max, glm::min, glm::mix, glm::mod, glm::normalize, glm::pow, glm::sign, glm::sin, glm::smoothstep, glm::sqrt,
-    glm::step, glm::tan, glm::transpose, glm::uintBitsToFloat;
+using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross,
+    glm::distance, glm::dot, glm::exp, glm::exp2, glm::floatBitsToUint, glm::floor, glm::fract,
+    glm::inversesqrt, glm::length, glm::log, glm::log2, glm::max, glm::min, glm::mix, glm::mod,
+    glm::normalize, glm::pow, glm::sign, glm::sin, glm::smoothstep, glm::sqrt, glm::step, glm::tan,
+    glm::transpose, glm::uintBitsToFloat;
 }  // namespace tukor::glsl
 #else
 #define TUKOR_SHARED_BEGIN(module)

@@ -8,8 +8,10 @@ CameraAxes axesOf(const Camera& camera) noexcept {
     CameraAxes axes{};
     axes.forward = glm::normalize(camera.target - camera.eye);
     glm::vec3 right = glm::cross(axes.forward, camera.up);
-    if (glm::dot(right, right) < 1e-12f * glm::dot(camera.up, camera.up)) {  // up along the view, to 1e-6 rad
-        const glm::vec3 other = std::abs(axes.forward.y) > 0.5f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+    if (glm::dot(right, right) <
+        1e-12f * glm::dot(camera.up, camera.up)) {  // up along the view, to 1e-6 rad
+        const glm::vec3 other =
+            std::abs(axes.forward.y) > 0.5f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
         right = glm::cross(axes.forward, other);
     }
     axes.right = glm::normalize(right);

@@ -19,10 +19,13 @@ struct CameraAxes {
     glm::vec3 forward;
 };
 
-/// Well defined for every camera with eye != target: where `up` is parallel to the view, another up is chosen.
+/// Well defined for every camera with eye != target: where `up` is parallel to the view, another up
+/// is chosen.
 [[nodiscard]] CameraAxes axesOf(const Camera& camera) noexcept;
 
-/// World direction, not normalised, through the pixel position (x, y) measured from the top-left corner, in pixels.
-[[nodiscard]] glm::vec3 rayDirection(const Camera& camera, int width, int height, float x, float y) noexcept;
+/// World direction, not normalised, through the pixel position (x, y) measured from the top-left
+/// corner, in pixels.
+[[nodiscard]] glm::vec3 rayDirection(const Camera& camera, int width, int height, float x,
+                                     float y) noexcept;
 
 }  // namespace tukor

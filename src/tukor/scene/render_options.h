@@ -10,7 +10,8 @@ namespace tukor {
 
 /// The ladder. `two` is spelt "double" wherever a person reads it: C++ has taken the word.
 enum class Fidelity {
-    single,  // the lecture: one look-up along the reflected, one along the refracted direction of the first surface
+    single,  // the lecture: one look-up along the reflected, one along the refracted direction of
+             // the first surface
     two,     // a second interface, refracted out of the solid
     exact,   // the whole tree of reflections and refractions, inside and between objects
 };
@@ -39,9 +40,10 @@ struct RenderOptions {
 struct Rendering {
     Image radiance;
     std::uint64_t rays = 0;
-    std::uint64_t leaks = 0;            // rays that left a closed solid without crossing its surface
+    std::uint64_t leaks = 0;  // rays that left a closed solid without crossing its surface
     std::uint64_t inconsistencies = 0;  // surfaces met from a side that the path says it is not on
-    std::uint64_t truncated = 0;        // branches that ended in a look-up because of budget, depth or cutoff
+    std::uint64_t truncated =
+        0;  // branches that ended in a look-up because of budget, depth or cutoff
 };
 
 }  // namespace tukor

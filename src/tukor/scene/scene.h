@@ -31,7 +31,8 @@ struct Scene {
 
 [[nodiscard]] Bounds boundsOf(const Scene& scene) noexcept;
 
-/// A camera that shows the whole scene from a little above its front; `aspect` is width over height.
+/// A camera that shows the whole scene from a little above its front; `aspect` is width over
+/// height.
 [[nodiscard]] Camera framingCamera(const Scene& scene, float aspect) noexcept;
 
 }  // namespace tukor
