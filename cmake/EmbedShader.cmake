@@ -1,7 +1,7 @@
 # Turns shaders into C++ constants `tukor::gl::shaders::<stem><Stage>` of type ShaderSource: `background.frag` becomes
 # backgroundFrag. `#include "tukor/..."` lines are inlined with `#line`, so that a driver's error can name the real file.
 #
-#   tukor_embed_shaders(tukor_gl FILES tukor/gl/shaders/a.vert ...)      paths below src
+#   tukor_embed_shaders(tukor_gl FILES tukor/gl/shaders/a.vert ...)      paths below src, or below the project root
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 function(tukor_embed_shaders target)
@@ -23,12 +23,16 @@ function(tukor_embed_shaders target)
             string(APPEND name ${first}${tail})
         endforeach()
         string(APPEND name ${initial}${rest})
+        set(root ${PROJECT_SOURCE_DIR}/src)
+        if(NOT EXISTS ${root}/${file})
+            set(root ${PROJECT_SOURCE_DIR})
+        endif()
         set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
         add_custom_command(
             OUTPUT ${output}
             COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/embed_shader.py
                     ${PROJECT_SOURCE_DIR}/src ${file} ${output} ${name} --depfile ${output}.d
-            DEPENDS ${PROJECT_SOURCE_DIR}/tools/embed_shader.py ${PROJECT_SOURCE_DIR}/src/${file}
+            DEPENDS ${PROJECT_SOURCE_DIR}/tools/embed_shader.py ${root}/${file}
             DEPFILE ${output}.d
             COMMENT "Embedding ${file}")
         target_sources(${target} PRIVATE ${output})

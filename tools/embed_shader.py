@@ -10,14 +10,23 @@ glslangValidator) instead of C++.
 import argparse
 import pathlib
 import re
+import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+
+
+def located(root, path):
+    """The file below `root`, or else below its parent: shaders of tests include those of src."""
+    for folder in (root, root.parent):
+        if (folder / path).is_file():
+            return folder / path
+    sys.exit(f"embed_shader.py: {path}: neither below {root} nor below {root.parent}")
 
 
 def flatten(root, path, files, out):
     number = len(files)
     files.append(path)
-    lines = (root / path).read_text(encoding="utf-8").splitlines()
+    lines = located(root, path).read_text(encoding="utf-8").splitlines()
     if number > 0:
         out.append(f"#line 1 {number}")
     for row, line in enumerate(lines, start=1):
@@ -54,7 +63,7 @@ def main():
     if args.raw:
         args.output.write_text(text)
     else:
-        # MSVC-sized pieces are no concern here, but 64 KiB is the least a compiler must take for one literal.
+        # 64 KiB is the least a compiler must take for one literal.
         pieces = [text[i:i + 16000] for i in range(0, len(text), 16000)]
         body = "\n".join(f'R"~~~({piece})~~~"' for piece in pieces)
         names = ", ".join(f'"{f}"' for f in files)
@@ -62,9 +71,10 @@ def main():
             f"// Made by embed_shader.py from {args.input}.\n"
             f'#include "tukor/gl/shader_source.h"\n\nnamespace tukor::gl::shaders {{\n'
             f"static const char* const {args.name}Files[] = {{{names}}};\n"
+            f"extern const ShaderSource {args.name};\n"
             f"const ShaderSource {args.name} = {{{body},\n    {args.name}Files}};\n}}\n")
     if args.depfile:
-        deps = " ".join(str(args.root / f) for f in files)
+        deps = " ".join(str(located(args.root, f)) for f in files)
         args.depfile.write_text(f"{args.output}: {deps}\n")
 
 

@@ -1,0 +1,28 @@
+# OpenGL ES 3 and EGL, which have no CMake package: imported targets GLES3::GLES3 and GLES3::EGL. With Emscripten both are
+# part of the toolchain.
+if(NOT TARGET GLES3::GLES3)
+    if(EMSCRIPTEN)
+        set(GLES3_INCLUDE_DIR "toolchain")
+        add_library(GLES3::GLES3 INTERFACE IMPORTED)
+        add_library(GLES3::EGL INTERFACE IMPORTED)
+    else()
+        find_path(GLES3_INCLUDE_DIR GLES3/gl3.h)
+        find_library(GLES3_LIBRARY GLESv2)
+        find_library(GLES3_EGL_LIBRARY EGL)
+        mark_as_advanced(GLES3_INCLUDE_DIR GLES3_LIBRARY GLES3_EGL_LIBRARY)
+        if(GLES3_INCLUDE_DIR AND GLES3_LIBRARY AND GLES3_EGL_LIBRARY)
+            add_library(GLES3::GLES3 UNKNOWN IMPORTED)
+            set_target_properties(GLES3::GLES3 PROPERTIES IMPORTED_LOCATION "${GLES3_LIBRARY}"
+                                  INTERFACE_INCLUDE_DIRECTORIES "${GLES3_INCLUDE_DIR}")
+            add_library(GLES3::EGL UNKNOWN IMPORTED)
+            set_target_properties(GLES3::EGL PROPERTIES IMPORTED_LOCATION "${GLES3_EGL_LIBRARY}"
+                                  INTERFACE_INCLUDE_DIRECTORIES "${GLES3_INCLUDE_DIR}")
+        endif()
+    endif()
+endif()
+include(FindPackageHandleStandardArgs)
+if(EMSCRIPTEN)
+    find_package_handle_standard_args(GLES3 REQUIRED_VARS GLES3_INCLUDE_DIR)
+else()
+    find_package_handle_standard_args(GLES3 REQUIRED_VARS GLES3_LIBRARY GLES3_EGL_LIBRARY GLES3_INCLUDE_DIR)
+endif()
