@@ -5,6 +5,7 @@
 // wo = -d).
 #pragma once
 #include "tukor/optics/shared.h"
+#include "tukor/optics/snell.h"
 
 TUKOR_SHARED_BEGIN(optics)
 
@@ -51,14 +52,17 @@ struct Refraction {
 /// Lecture row 14, Snell's law: `n` faces the light, `eta` = etaT / etaI = sin thetaI / sin thetaT
 /// (the lecture's mu).
 ///
-/// GLSL's own refract() wants 1 / eta; nothing but this file may call it, and this file need not.
+/// `total` is decided by the same expression as in fresnelDielectric, which is then exactly 1. A
+/// shader compiler may still round the two differently: take R = 1 where `total`, and no light is
+/// lost. GLSL's own refract() wants 1 / eta; nothing but this file may call it, and this file need
+/// not.
 TUKOR_FN Refraction refractDirection(vec3 d, vec3 n, float eta) {
     Refraction r;
-    float c = dot(n, d);  // -cosThetaI
-    vec3 parallel = d - c * n;
-    float cos2ThetaT = 1.0f - dot(parallel, parallel) / (eta * eta);
-    r.total = cos2ThetaT <= 0.0f;
-    r.cosThetaT = sqrt(max(cos2ThetaT, 0.0f));
+    float c = -dot(d, n);
+    float g2 = scaledCos2ThetaT(min(c, 1.0f), eta);
+    r.total = g2 <= 0.0f;
+    r.cosThetaT = sqrt(max(g2, 0.0f)) / eta;
+    vec3 parallel = d + c * n;
     r.direction = normalize(parallel / eta - r.cosThetaT * n);
     return r;
 }
