@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Builds <tukor-view> into web/dist: the library as WebAssembly, the element and its lazily loaded parts, types.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+# Node.js may come from elsewhere than Debian: ask for its packages only where the commands are missing.
+command -v npm >/dev/null && command -v em++ >/dev/null && command -v chromium >/dev/null || tools/install_packages.sh web
+tools/install_packages.sh build
+export NODE_PATH=/usr/share/nodejs # where Debian's emscripten keeps its JavaScript tools
+
+tools/stage_web_deps.sh build/web-deps
+mkdir -p build web/dist
+{ cmake --preset web && cmake --build --preset web; } >build/web.log 2>&1 ||
+    { tail -40 build/web.log >&2; echo "the web build failed; all of it: build/web.log" >&2; exit 1; }
+
+cd web
+if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
+    npm ci --no-audit --no-fund --ignore-scripts --loglevel=error
+fi
+node_modules/.bin/esbuild src/tukor-view.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
+    --external:./tukor.js --outdir=dist --log-level=warning
+node_modules/.bin/esbuild ../build/web/apps/web/tukor.js --minify --format=esm --target=es2022 --outfile=dist/tukor.js \
+    --log-level=error --allow-overwrite
+cp ../build/web/apps/web/tukor.wasm src/tukor-view.d.ts dist/

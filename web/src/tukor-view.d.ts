@@ -1,0 +1,80 @@
+// Types of <tukor-view>. Attributes are properties too, in camel case; values are the attribute's text.
+
+export interface TukorViewEventMap {
+  /** Fraction of loading that is done, in [0, 1]. */
+  progress: CustomEvent<{ totalProgress: number }>;
+  /** Model and environment are there and have been drawn. */
+  load: CustomEvent<{ url: string | null }>;
+  /** Something could not be loaded or understood; the picture before stays. */
+  error: CustomEvent<{ message: string; sourceError: Error }>;
+  "camera-change": CustomEvent<{ source: "user-interaction" | "none" }>;
+  /** A frame was drawn; `samples` are accumulated at rest. */
+  frame: CustomEvent<{ samples: number; moving: boolean }>;
+}
+
+export interface StillOptions {
+  /** Pixels; the size of the element unless given. */
+  width?: number;
+  height?: number;
+  /** Accumulated frames; 64 unless given. */
+  samples?: number;
+}
+
+export declare class TukorView extends HTMLElement {
+  /** URL of a .glb, .gltf, .obj, .ply or .stl, or a built-in shape: sphere, torus-knot, teapot, brilliant, tumbler, water. */
+  src: string | null;
+  /** URL of an .hdr, .exr, .png or .jpg, or a built-in: studio, sky. */
+  environment: string | null;
+  /** About +Y, "30deg". */
+  environmentRotation: string | null;
+  environmentIntensity: string | null;
+  /** quad, box, dome or none (transparent). */
+  background: string | null;
+  /** "gold", or "Stone=diamond; Band=gold" by part or material name, or figures: "ior:1.2". */
+  material: string | null;
+  /** single, double or exact. */
+  fidelity: string | null;
+  /** exact or schlick. */
+  fresnel: string | null;
+  /** Stops. */
+  exposure: string | null;
+  /** none, reinhard, aces, agx or neutral. */
+  toneMap: string | null;
+  /** "30deg 75deg 4m", each part may be auto, the last a percentage of the framing distance. */
+  cameraOrbit: string | null;
+  cameraTarget: string | null;
+  /** Vertical, "40deg". */
+  fieldOfView: string | null;
+  autoRotate: boolean;
+  cameraControls: boolean;
+  alt: string | null;
+  poster: string | null;
+  loading: "auto" | "lazy" | "eager" | null;
+  reveal: "auto" | "manual" | null;
+
+  readonly loaded: boolean;
+  readonly accumulatedSamples: number;
+  readonly parts: { name: string; material: string }[];
+  /** The `tukor render` command for the present view. */
+  readonly command: string;
+
+  jumpCameraToGoal(): void;
+  getCameraOrbit(): { theta: number; phi: number; radius: number; toString(): string };
+  getCameraTarget(): { x: number; y: number; z: number; toString(): string };
+  dismissPoster(): void;
+  partAtPoint(clientX: number, clientY: number): string | null;
+  render(options?: StillOptions): Promise<ImageData>;
+  toBlob(options?: StillOptions & { mimeType?: string; qualityArgument?: number }): Promise<Blob>;
+  toDataURL(mimeType?: string, qualityArgument?: number): Promise<string>;
+  loadModelFile(file: File): Promise<void>;
+  loadEnvironmentFile(file: File): Promise<void>;
+
+  addEventListener<K extends keyof TukorViewEventMap>(type: K, listener: (this: TukorView, event: TukorViewEventMap[K]) => unknown, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tukor-view": TukorView;
+  }
+}
