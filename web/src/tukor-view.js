@@ -328,6 +328,7 @@ export class TukorView extends HTMLElement {
 
   #arrived(which) {
     this.#ready[which] = true;
+    if (which === "src") this.#loaded = false; // the next frame says `load` again
     this.#message.hidden = true;
     this.#progress(0.4 + 0.3 * (this.#ready.src + this.#ready.environment));
     this.#changed();
