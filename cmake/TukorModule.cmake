@@ -7,6 +7,7 @@ function(tukor_module name)
     cmake_parse_arguments(arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST_LIBRARIES" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS *.cpp)
     file(GLOB headers CONFIGURE_DEPENDS *.h)
+    list(FILTER headers EXCLUDE REGEX "/test_[a-z_]*\\.h$")  # shared by tests, not installed
     file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
     if(tests)
         list(REMOVE_ITEM sources ${tests})

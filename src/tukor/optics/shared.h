@@ -13,6 +13,8 @@
     namespace tukor::module {      \
     using namespace tukor::glsl;
 #define TUKOR_SHARED_END }
+/// After TUKOR_SHARED_BEGIN: the names of a module below.
+#define TUKOR_SHARED_USING(module) using namespace tukor::module;
 /// Before every function of shared source.
 #define TUKOR_FN [[nodiscard]] inline
 /// Before a function without a result.
@@ -38,6 +40,7 @@ using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos
 #else
 #define TUKOR_SHARED_BEGIN(module)
 #define TUKOR_SHARED_END
+#define TUKOR_SHARED_USING(module)
 #define TUKOR_FN
 #define TUKOR_PROCEDURE void
 #define TUKOR_OUT(type) out type

@@ -1,0 +1,151 @@
+// One branch of a light path, and the queue of those that wait. Shared source.
+#pragma once
+#include "tukor/transport/footprint.h"
+#include "tukor/transport/media.h"
+
+TUKOR_SHARED_BEGIN(transport)
+
+/// A ray on its way, with all that it needs to go on later.
+struct Branch {
+    vec3 origin;
+    vec3 direction;   // unit
+    vec3 throughput;  // what its radiance counts in the pixel
+    Footprint footprint;
+    uint media;  // the dielectrics that contain it, see media.h
+    int skip;    // the triangle that it leaves; -1 for a camera ray
+    int depth;   // reflections and refractions so far
+};
+
+/// A look-up in the environment that the host owes to the picture: throughput * radiance.
+struct Deposit {
+    vec3 throughput;
+    vec3 direction;    // unit
+    float solidAngle;  // of the footprint, sr
+};
+
+/// Up to two look-ups, the most that one event asks for.
+struct Deposits {
+    int count;
+    Deposit first;
+    Deposit second;
+};
+
+TUKOR_FN float heaviness(vec3 throughput) {
+    return max(throughput.x, max(throughput.y, throughput.z));
+}
+
+TUKOR_FN Deposit depositOf(Branch branch) {
+    Deposit d;
+    d.throughput = branch.throughput;
+    d.direction = branch.direction;
+    d.solidAngle = footprintSolidAngle(branch.footprint);
+    return d;
+}
+
+TUKOR_FN Deposits noDeposits() {
+    Deposits all;
+    all.count = 0;
+    all.first.throughput = vec3(0.0f);
+    all.first.direction = vec3(0.0f);
+    all.first.solidAngle = 0.0f;
+    all.second = all.first;
+    return all;
+}
+
+/// Appends; there is room for two.
+TUKOR_PROCEDURE addDeposit(TUKOR_INOUT(Deposits) all, Deposit one) {
+    if (all.count == 0) {
+        all.first = one;
+    } else {
+        all.second = one;
+    }
+    all.count = all.count + 1;
+}
+
+/// How many branches of one tree can wait: more waited never in the pictures that decided it.
+TUKOR_CONST int kPendingBranches = 8;
+
+/// The light path of one camera ray: a branch under way and those that wait.
+///
+/// Start it with startTree; while `alive`, do what path_tree.h says.
+struct Tree {
+    Branch branch;
+    Branch pending[kPendingBranches];
+    int pendingCount;
+    bool alive;
+    int rays;             // rays traced so far; the host counts them
+    uint randomState;     // for branches too light to split
+    int truncated;        // branches that became a look-up by budget, depth, weight or want of room
+    int leaks;            // branches that left the scene with a dielectric around them
+    int inconsistencies;  // surfaces met from the side on which the path was not
+};
+
+/// `branch` is the camera ray: throughput 1, depth 0, skip -1, media as they are around the eye.
+TUKOR_FN Tree startTree(Branch branch, uint randomState) {
+    Tree tree;
+    tree.branch = branch;
+    tree.pendingCount = 0;
+    tree.alive = true;
+    tree.rays = 0;
+    tree.randomState = randomState;
+    tree.truncated = 0;
+    tree.leaks = 0;
+    tree.inconsistencies = 0;
+    return tree;
+}
+
+/// The next of a sequence of uniform numbers in [0, 1). [O'Neill 2014, RXS-M-XS reduced]
+TUKOR_FN float nextRandom(TUKOR_INOUT(Tree) tree) {
+    uint state = tree.randomState * 747796405u + 2891336453u;
+    tree.randomState = state;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    word = (word >> 22u) ^ word;
+    return float(word >> 8u) * (1.0f / 16777216.0f);
+}
+
+/// Ends the current branch; the heaviest that waits goes on.
+TUKOR_PROCEDURE nextBranch(TUKOR_INOUT(Tree) tree) {
+    if (tree.pendingCount == 0) {
+        tree.alive = false;
+        return;
+    }
+    int pick = 0;
+    float most = -1.0f;
+    for (int i = 0; i < tree.pendingCount; i++) {
+        float weight = heaviness(tree.pending[i].throughput);
+        if (weight > most) {
+            most = weight;
+            pick = i;
+        }
+    }
+    tree.branch = tree.pending[pick];
+    tree.pendingCount = tree.pendingCount - 1;
+    tree.pending[pick] = tree.pending[tree.pendingCount];
+}
+
+/// Puts a branch among those that wait. If there is no room, the lightest of all becomes a look-up.
+TUKOR_PROCEDURE keepBranch(TUKOR_INOUT(Tree) tree, TUKOR_INOUT(Deposits) deposits, Branch branch) {
+    if (tree.pendingCount < kPendingBranches) {
+        tree.pending[tree.pendingCount] = branch;
+        tree.pendingCount = tree.pendingCount + 1;
+        return;
+    }
+    int pick = -1;
+    float least = heaviness(branch.throughput);
+    for (int i = 0; i < kPendingBranches; i++) {
+        float weight = heaviness(tree.pending[i].throughput);
+        if (weight < least) {
+            least = weight;
+            pick = i;
+        }
+    }
+    tree.truncated = tree.truncated + 1;
+    if (pick < 0) {
+        addDeposit(deposits, depositOf(branch));
+    } else {
+        addDeposit(deposits, depositOf(tree.pending[pick]));
+        tree.pending[pick] = branch;
+    }
+}
+
+TUKOR_SHARED_END

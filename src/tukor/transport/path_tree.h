@@ -1,0 +1,214 @@
+// What light does after it met the first surface: the tree of reflections and refractions, one
+// event at a time. Shared source, and a state machine: the host owns the loop.
+//
+//     Tree tree = startTree(cameraRay, seed);
+//     while (tree.alive) {
+//         if (spent(tree, settings))       deposits = cutBranch(tree);
+//         else {
+//             tree.rays++; find the nearest triangle but tree.branch.skip along tree.branch, at t >
+//             0 if (none)                    deposits = escape(tree); else {
+//                 Encounter met = encounter(tree.branch, hit);
+//                 deposits = scatter(tree, hit, met, medium(met.from), medium(met.to), settings);
+//             }
+//         }
+//         L += throughput * environment radiance of each of the deposits
+//     }
+//
+// So the host supplies the nearest hit, the table of media and the environment; nothing is lost:
+// every branch that is dropped for any reason becomes one look-up along its own direction, and the
+// throughputs of all deposits of a lossless scene sum to 1.
+//
+// Radiance is carried as L / eta^2, which no interface changes: inside of glass, a picture shows
+// what it would show if the light had been measured outside.
+#pragma once
+#include "tukor/optics/absorption.h"
+#include "tukor/transport/branch.h"
+#include "tukor/transport/scattering.h"
+
+TUKOR_SHARED_BEGIN(transport)
+TUKOR_SHARED_USING(optics)
+
+/// Values of TransportSettings::fidelity, those of Fidelity.
+TUKOR_CONST int kFidelitySingle = 0;
+TUKOR_CONST int kFidelityTwo = 1;
+TUKOR_CONST int kFidelityExact = 2;
+
+struct TransportSettings {
+    int fidelity;
+    int fresnel;
+    int rayBudget;       // rays that one tree may trace
+    int maxDepth;        // events along one branch
+    float weightCutoff;  // branches lighter than this become a look-up
+    float splitWeight;   // of branches lighter than this one child is followed, chosen by chance
+                         // with its share as the probability, weight unchanged; 0: always both
+};
+
+/// A surface in the sense of the ray, and the media on both sides of it.
+struct Encounter {
+    Facing face;
+    int from;     // medium on the ray's side, kVacuum or its number
+    int to;       // beyond; the same at opaque surfaces
+    uint beyond;  // media set beyond the surface
+    bool consistent;
+};
+
+/// Which media meet where `branch` hit a surface.
+TUKOR_FN Encounter encounter(Branch branch, SurfaceHit hit) {
+    Encounter met;
+    met.face = facingSurface(hit, branch.direction);
+    met.from = mediumOf(branch.media);
+    met.beyond = branch.media;
+    met.consistent = met.face.front;
+    if (hit.kind == kDielectric) {
+        uint entered = met.face.front ? hit.inside : hit.outside;
+        uint left = met.face.front ? hit.outside : hit.inside;
+        met.beyond = (branch.media & ~left) | entered;
+        met.consistent = (branch.media & entered) == 0u && (branch.media & left) == left;
+    }
+    met.to = mediumOf(met.beyond);
+    return met;
+}
+
+/// Whether the current branch may not go on.
+TUKOR_FN bool spent(Tree tree, TransportSettings settings) {
+    return tree.rays >= settings.rayBudget || tree.branch.depth >= settings.maxDepth;
+}
+
+/// Ends the current branch before its time, in a look-up.
+TUKOR_FN Deposits cutBranch(TUKOR_INOUT(Tree) tree) {
+    Deposits deposits = noDeposits();
+    addDeposit(deposits, depositOf(tree.branch));
+    tree.truncated = tree.truncated + 1;
+    nextBranch(tree);
+    return deposits;
+}
+
+/// The current branch has met nothing: it sees the environment.
+TUKOR_FN Deposits escape(TUKOR_INOUT(Tree) tree) {
+    Deposits deposits = noDeposits();
+    addDeposit(deposits, depositOf(tree.branch));
+    if (tree.branch.media != 0u) tree.leaks = tree.leaks + 1;
+    nextBranch(tree);
+    return deposits;
+}
+
+TUKOR_FN Branch reflectedBranch(Branch at, SurfaceHit hit, Encounter met, Scattering s) {
+    Branch branch = at;
+    branch.footprint = reflectedFootprint(at.footprint, hit, met.face, at.direction);
+    branch.direction = s.reflected;
+    branch.throughput = at.throughput * s.R;
+    return branch;
+}
+
+TUKOR_FN Branch refractedBranch(Branch at, SurfaceHit hit, Encounter met, Scattering s) {
+    Branch branch = at;
+    branch.footprint =
+        refractedFootprint(at.footprint, hit, met.face, at.direction, s.eta, s.cosThetaT);
+    branch.direction = s.refracted;
+    branch.throughput = at.throughput * s.T;
+    branch.media = met.beyond;
+    return branch;
+}
+
+/// The levels below exact: look-ups at the first surface (lecture rows 10 and 11), or reflection at
+/// the first and refraction, whole, at the second. `at` lies on the surface.
+TUKOR_FN Deposits scatterOnLadder(TUKOR_INOUT(Tree) tree, Branch at, SurfaceHit hit, Encounter met,
+                                  Scattering s, int fidelity) {
+    Deposits deposits = noDeposits();
+    bool first = at.depth == 1;
+    if (!first && s.T > 0.0f) {
+        s.T = 1.0f;
+    } else if (!first && hit.kind == kDielectric) {
+        s.R = vec3(1.0f);
+    }
+    if (first || s.T <= 0.0f) {
+        addDeposit(deposits, depositOf(reflectedBranch(at, hit, met, s)));
+    }
+    if (s.T > 0.0f) {
+        Branch refracted = refractedBranch(at, hit, met, s);
+        if (first && fidelity == kFidelityTwo) {
+            tree.branch = refracted;
+            return deposits;
+        }
+        addDeposit(deposits, depositOf(refracted));
+    }
+    nextBranch(tree);
+    return deposits;
+}
+
+/// Follows the heavier of two branches and keeps the lighter.
+TUKOR_FN Deposits splitBranch(TUKOR_INOUT(Tree) tree, Branch a, Branch b, float weightCutoff) {
+    Deposits deposits = noDeposits();
+    bool swap = heaviness(b.throughput) > heaviness(a.throughput);
+    Branch heavier = a;
+    Branch lighter = b;
+    if (swap) {
+        heavier = b;
+        lighter = a;
+    }
+    float weight = heaviness(lighter.throughput);
+    if (weight >= weightCutoff) {
+        keepBranch(tree, deposits, lighter);
+    } else if (weight > 0.0f) {
+        tree.truncated = tree.truncated + 1;
+        addDeposit(deposits, depositOf(lighter));
+    }
+    tree.branch = heavier;
+    return deposits;
+}
+
+/// The current branch has met a surface; `from` and `to` are the media that `met` names.
+TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met, Medium from,
+                          Medium to, TransportSettings settings) {
+    if (!met.consistent) tree.inconsistencies = tree.inconsistencies + 1;
+    Branch at = tree.branch;
+    at.throughput = at.throughput * transmittance(from.sigmaA, hit.distance);
+    at.footprint = footprintAtSurface(at.footprint, at.direction, hit.distance, met.face.ng);
+    at.origin = hit.position;
+    at.skip = hit.triangle;
+    if (hit.kind == kDielectric && from.eta == to.eta) {  // nothing to be seen: straight on
+        at.media = met.beyond;
+        tree.branch = at;
+        return noDeposits();
+    }
+    at.depth = at.depth + 1;
+
+    Scattering s;
+    if (hit.kind == kDielectric) {
+        s = clearScattering(met.face, at.direction, to.eta / from.eta, settings.fresnel);
+    } else {
+        s = opaqueScattering(hit, met.face, at.direction, from.eta, settings.fresnel);
+    }
+    if (settings.fidelity != kFidelityExact) {
+        return scatterOnLadder(tree, at, hit, met, s, settings.fidelity);
+    }
+
+    Deposits deposits = noDeposits();
+    if (s.T <= 0.0f) {
+        tree.branch = reflectedBranch(at, hit, met, s);
+    } else if (heaviness(at.throughput) < settings.splitWeight) {
+        bool reflects = nextRandom(tree) < s.R.x;
+        s.R = vec3(1.0f);
+        s.T = 1.0f;
+        if (reflects) {
+            tree.branch = reflectedBranch(at, hit, met, s);
+        } else {
+            tree.branch = refractedBranch(at, hit, met, s);
+        }
+    } else {
+        deposits = splitBranch(tree, refractedBranch(at, hit, met, s),
+                               reflectedBranch(at, hit, met, s), settings.weightCutoff);
+    }
+
+    float weight = heaviness(tree.branch.throughput);
+    if (weight < settings.weightCutoff || !(weight > 0.0f)) {
+        if (weight > 0.0f) {
+            addDeposit(deposits, depositOf(tree.branch));
+            tree.truncated = tree.truncated + 1;
+        }
+        nextBranch(tree);
+    }
+    return deposits;
+}
+
+TUKOR_SHARED_END
