@@ -1,0 +1,24 @@
+// Scenes from built-in shapes and model files, whatever their format.
+#pragma once
+#include <numbers>
+#include <string>
+
+#include "tukor/scene/scene.h"
+
+namespace tukor {
+
+struct ModelOptions {
+    /// Where a file gives no normals, triangles meeting at less than this angle look smooth.
+    float creaseAngle = std::numbers::pi_v<float> / 6.0f;  // radians; 30 degrees
+    /// Of parts for which neither shape nor file names a material; anything parseMaterial() takes.
+    std::string material = "gold";
+};
+
+/// A built-in shape by name, or a model file: glTF, GLB, OBJ, PLY, STL, or what Assimp reads.
+///
+/// A file wins over a shape only when it is given with a folder or an extension. The format is told
+/// by the file's first bytes, then by its extension. A file can name others beside or below itself
+/// but none elsewhere. Throws Error.
+[[nodiscard]] Scene loadModel(const std::string& nameOrPath, const ModelOptions& options = {});
+
+}  // namespace tukor
