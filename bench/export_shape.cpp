@@ -1,6 +1,6 @@
 // Writes a built-in shape as a Wavefront OBJ, so that peers can render the same triangles.
 //
-// usage: export_shape NAME OUT.obj
+// usage: export_shape NAME OUT.obj [X Y Z]     moved by X Y Z metres
 #include <cstdio>
 #include <exception>
 #include <iterator>
@@ -14,13 +14,14 @@
 
 namespace {
 
-std::string objFromShape(const std::vector<tukor::ShapePart>& parts) {
+std::string objFromShape(const std::vector<tukor::ShapePart>& parts, glm::vec3 offset) {
     std::string text;
     auto out = std::back_inserter(text);
     unsigned base = 1;
     for (const tukor::ShapePart& part : parts) {
         fmt::format_to(out, "o {}\n", part.name);
-        for (glm::vec3 p : part.mesh.positions) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
+        for (glm::vec3 p : part.mesh.positions)
+            fmt::format_to(out, "v {} {} {}\n", p.x + offset.x, p.y + offset.y, p.z + offset.z);
         for (glm::vec3 n : part.mesh.normals) fmt::format_to(out, "vn {} {} {}\n", n.x, n.y, n.z);
         for (glm::uvec3 t : part.mesh.triangles)
             fmt::format_to(out, "f {0}//{0} {1}//{1} {2}//{2}\n", t.x + base, t.y + base,
@@ -34,13 +35,15 @@ std::string objFromShape(const std::vector<tukor::ShapePart>& parts) {
 
 int main(int argc, char** argv) {
     try {
-        if (argc != 3) {
-            std::fprintf(stderr, "usage: export_shape NAME OUT.obj\n");
+        if (argc != 3 && argc != 6) {
+            std::fprintf(stderr, "usage: export_shape NAME OUT.obj [X Y Z]\n");
             return 2;
         }
         const auto parts = tukor::makeShape(argv[1]);
         if (!parts) throw tukor::Error(fmt::format("{}: no such shape", argv[1]));
-        tukor::writeFile(argv[2], objFromShape(*parts));
+        glm::vec3 offset(0.0f);
+        for (int axis = 0; argc == 6 && axis < 3; ++axis) offset[axis] = std::stof(argv[3 + axis]);
+        tukor::writeFile(argv[2], objFromShape(*parts, offset));
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "export_shape: %s\n", error.what());

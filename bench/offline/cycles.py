@@ -1,0 +1,84 @@
+# Run inside Blender by offline.py: renders the OBJs with Cycles, smooth gold and glass under an equirectangular map, one thread.
+#
+# blender -b --factory-startup --python cycles.py -- JSON
+import json
+import math
+import sys
+import time
+
+import bpy
+
+job = json.loads(sys.argv[sys.argv.index("--") + 1])
+bpy.ops.wm.read_factory_settings(use_empty=True)
+scene = bpy.context.scene
+
+
+def smooth_material(kind):
+    material = bpy.data.materials.new(kind)
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    output = nodes.new("ShaderNodeOutputMaterial")
+    if kind == "gold":  # a constant tint: Cycles 3.4 has no complex index
+        surface = nodes.new("ShaderNodeBsdfGlossy")
+        surface.distribution = "SHARP"
+        surface.inputs["Color"].default_value = (*job["tint"], 1.0)
+    else:
+        surface = nodes.new("ShaderNodeBsdfGlass")
+        surface.distribution = "SHARP"
+        surface.inputs["IOR"].default_value = job["ior"]
+    links.new(surface.outputs[0], output.inputs["Surface"])
+    return material
+
+
+for path, kind in job["models"]:
+    bpy.ops.wm.obj_import(filepath=path, forward_axis="NEGATIVE_Z", up_axis="Y")
+    for item in bpy.context.selected_objects:
+        item.data.materials.clear()
+        item.data.materials.append(smooth_material(kind))
+        item.data.use_auto_smooth = False
+        for polygon in item.data.polygons:
+            polygon.use_smooth = True
+
+world = bpy.data.worlds.new("world")
+scene.world = world
+world.use_nodes = True
+nodes, links = world.node_tree.nodes, world.node_tree.links
+image = nodes.new("ShaderNodeTexEnvironment")
+image.image = bpy.data.images.load(job["environment"])
+mapping, coordinates = nodes.new("ShaderNodeMapping"), nodes.new("ShaderNodeTexCoord")
+mapping.inputs["Rotation"].default_value = (0.0, 0.0, -math.pi / 2)  # Blender's centre is +X; ours -Z, Blender's +Y
+links.new(coordinates.outputs["Generated"], mapping.inputs["Vector"])
+links.new(mapping.outputs["Vector"], image.inputs["Vector"])
+links.new(image.outputs["Color"], nodes["Background"].inputs["Color"])
+
+camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+scene.collection.objects.link(camera)
+scene.camera = camera
+camera.location = (job["eye"][0], -job["eye"][2], job["eye"][1])
+camera.rotation_euler = (math.pi / 2, 0.0, 0.0)  # from the eye along our -Z
+camera.data.sensor_fit = "VERTICAL"
+camera.data.angle = math.radians(job["fov"])
+
+scene.render.engine = "CYCLES"
+scene.render.resolution_x, scene.render.resolution_y = job["size"]
+scene.render.resolution_percentage = 100
+scene.render.threads_mode, scene.render.threads = "FIXED", 1
+cycles = scene.cycles
+cycles.device = "CPU"
+cycles.samples = job["samples"]
+cycles.seed = job["seed"]
+cycles.use_adaptive_sampling = cycles.use_denoising = False
+cycles.pixel_filter_type = "BOX"
+cycles.max_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 32
+cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
+cycles.blur_glossy = 0.0
+cycles.caustics_reflective = cycles.caustics_refractive = True
+scene.view_settings.view_transform = "Raw"
+scene.render.image_settings.file_format = "OPEN_EXR"
+scene.render.image_settings.color_depth = "32"
+scene.render.filepath = job["out"]
+
+begin = time.process_time()
+bpy.ops.render.render(write_still=True)
+print(f"CYCLES_CPU {time.process_time() - begin:.3f}")
