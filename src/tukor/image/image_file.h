@@ -1,11 +1,18 @@
 // Pictures in and out of files: the format is found by content when reading, by extension when
 // writing.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "tukor/base/options.h"
+#include "tukor/image/display.h"
+#include "tukor/image/exr_file.h"
 #include "tukor/image/image.h"
 
 namespace tukor {
@@ -17,5 +24,56 @@ namespace tukor {
 
 /// The same from memory; `name` stands for the file in messages.
 [[nodiscard]] Image decodeImage(std::span<const std::byte> bytes, std::string_view name);
+
+enum class PngDepth { bits8, bits16 };
+
+/// Tone mapping and exposure act on .png and .jpg only: .exr and .hdr keep the radiance.
+struct SaveOptions {
+    Tonemap tonemap = Tonemap::none;
+    float exposureStops = 0.0f;
+    PngDepth pngDepth = PngDepth::bits8;
+    int jpegQuality = 92;
+    ExrPixels exrPixels = ExrPixels::full;
+    std::vector<std::pair<std::string, std::string>> metadata;  // command line, version, seed, ...
+};
+
+inline constexpr std::array<std::pair<PngDepth, std::string_view>, 2> kPngDepthSpellings{{
+    {PngDepth::bits8, "8"},
+    {PngDepth::bits16, "16"},
+}};
+
+inline constexpr std::array<std::pair<ExrPixels, std::string_view>, 2> kExrPixelsSpellings{{
+    {ExrPixels::full, "full"},
+    {ExrPixels::half, "half"},
+}};
+
+template <class Visitor>
+void describe(SaveOptions& o, Visitor&& field) {
+    field("tonemap", o.tonemap, Spellings<Tonemap>(kTonemapSpellings),
+          "how .png and .jpg show radiance above 1");
+    field("exposure", o.exposureStops, Range<float>{-32.0f, 32.0f},
+          "stops on .png and .jpg; 0 leaves radiance as is");
+    field("png-depth", o.pngDepth, Spellings<PngDepth>(kPngDepthSpellings), "bits a channel");
+    field("jpeg-quality", o.jpegQuality, Range<int>{1, 100}, "100 is nearly lossless");
+    field("exr-pixels", o.exrPixels, Spellings<ExrPixels>(kExrPixelsSpellings),
+          "full: 32-bit floats; half: 16-bit, clipped at 65504");
+}
+
+/// Writes by extension: .exr .hdr .png .jpg .jpeg; the file appears whole or not at all.
+///
+/// Alpha goes where the format has it (.exr, .png). Throws Error.
+void saveImage(const std::filesystem::path& path, const Image& image,
+               const SaveOptions& options = {});
+
+/// The bytes of such a file; `extension` in lower case with its dot.
+[[nodiscard]] std::vector<std::byte> encodeImage(const Image& image, const std::string& extension,
+                                                 const SaveOptions& options = {});
+
+/// Throws the Error that saveImage would for an extension it does not know: ask before rendering.
+void checkSavable(const std::filesystem::path& path);
+
+/// Several pictures of one size in one .exr; the layer of the empty name is the one shown first.
+void saveExrLayers(const std::filesystem::path& path, std::span<const ImageLayer> layers,
+                   const SaveOptions& options = {});
 
 }  // namespace tukor

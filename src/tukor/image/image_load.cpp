@@ -1,9 +1,13 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
 #include "tukor/image/exr_file.h"
 #include "tukor/image/image_file.h"
+#include "tukor/image/jpeg_file.h"
+#include "tukor/image/png_file.h"
 #include "tukor/image/radiance_file.h"
 
 namespace tukor {
@@ -28,6 +32,8 @@ std::string opening(std::span<const std::byte> bytes) {
 Image decodeImage(std::span<const std::byte> bytes, std::string_view name) {
     if (isExr(bytes)) return decodeExr(bytes, name);
     if (isRadiance(bytes)) return decodeRadiance(bytes, name);
+    if (isPng(bytes)) return decodePng(bytes, name);
+    if (isJpeg(bytes)) return decodeJpeg(bytes, name);
     throw Error(fmt::format(
         "{}: {}; expected an OpenEXR, Radiance (.hdr), PNG or JPEG image", name,
         bytes.empty() ? "is empty"
