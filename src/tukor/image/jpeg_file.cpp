@@ -36,6 +36,12 @@ bool hasEnd(std::span<const std::byte> bytes) {
     return false;
 }
 
+/// Without what other programs append: pixels take 16 bytes at the very most, and 64 MB are left
+/// for profiles and thumbnails.
+std::span<const std::byte> withoutTail(std::span<const std::byte> bytes, std::uint64_t pixels) {
+    return bytes.first(std::min<std::uint64_t>(bytes.size(), (64ull << 20) + 16 * pixels));
+}
+
 }  // namespace
 
 bool isJpeg(std::span<const std::byte> bytes) noexcept {
@@ -59,11 +65,13 @@ Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
         fail();
     if (colours == TJCS_CMYK || colours == TJCS_YCCK)
         throw Error(fmt::format("{}: CMYK JPEG; expected grey or RGB: convert it to RGB", name));
-    const auto columns = static_cast<std::uint64_t>(std::max(width, 0));
-    const auto rows = static_cast<std::uint64_t>(std::max(height, 0));
+    if (width < 1 || height < 1)
+        throw Error(fmt::format("{}: damaged JPEG file: no image in it", name));
+    const auto columns = static_cast<std::uint64_t>(width);
+    const auto rows = static_cast<std::uint64_t>(height);
     checkImageSize(name, columns, rows);
     checkImageFits(name, columns, rows, bytes.size(), kMostPixelsPerByte);
-    if (!hasEnd(bytes))
+    if (!hasEnd(withoutTail(bytes, columns * rows)))
         throw Error(
             fmt::format("{}: cut off: the JPEG file ends after {} bytes, without its end "
                         "marker",

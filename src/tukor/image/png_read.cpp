@@ -1,3 +1,4 @@
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -34,6 +35,9 @@ void checkChunks(std::span<const std::byte> bytes, std::string_view name) {
     while (bytes.size() - at >= 12) {
         const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(bytes[at + i]); };
         const std::size_t length = byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
+        for (std::size_t i = 4; i < 8; ++i)
+            if (!std::isalpha(static_cast<int>(byte(i))))
+                throw Error(fmt::format("{}: damaged PNG file: no chunk at byte {}", name, at));
         if (length > bytes.size() - at - 12) break;
         if (std::memcmp(bytes.data() + at + 4, "IEND", 4) == 0) return;
         at += length + 12;
