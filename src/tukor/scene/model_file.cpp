@@ -8,8 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/file.h"
 #include "tukor/geometry/shapes.h"
 #include "tukor/materials/materials.h"
+#include "tukor/scene/gltf_file.h"
 
 namespace tukor {
 
@@ -39,7 +41,12 @@ Scene loadModel(const std::string& nameOrPath, const ModelOptions& options) {
             throw Error(fmt::format("{}: no such model; expected a file or one of {}", nameOrPath,
                                     fmt::join(shapeNames(), ", ")));
     }
-    throw Error(fmt::format("{}: model files are not read yet", nameOrPath));
+    const MappedFile file(path);
+    if (file.bytes().empty()) throw Error(fmt::format("{}: an empty file", nameOrPath));
+    const std::string extension = lowerExtension(path);
+    if (extension == ".gltf" || extension == ".glb" || looksLikeGltf(file.bytes()))
+        return loadGltf(path, file.bytes(), options);
+    throw Error(fmt::format("{}: not a model of a known format", nameOrPath));
 }
 
 }  // namespace tukor

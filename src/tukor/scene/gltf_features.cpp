@@ -1,0 +1,60 @@
+#include "tukor/scene/gltf_features.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "tukor/scene/sibling_file.h"
+
+namespace tukor {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kRead[] = {
+    "KHR_mesh_quantization"sv,
+    "KHR_materials_ior"sv,
+    "KHR_materials_transmission"sv,
+    "KHR_materials_volume"sv,
+};
+
+// Without effect on the picture while textures are not rendered, or none at all.
+constexpr std::string_view kHarmless[] = {
+    "KHR_texture_transform"sv, "KHR_texture_basisu"sv, "EXT_texture_webp"sv, "EXT_texture_avif"sv,
+    "MSFT_texture_dds"sv,      "KHR_xmp_json_ld"sv,    "KHR_xmp"sv,
+};
+
+bool contains(std::span<const std::string_view> names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Changes how surfaces look and nothing else: the picture is poorer without, not wrong in shape.
+bool isAppearance(std::string_view name) {
+    return name.starts_with("KHR_materials_") || name == "KHR_lights_punctual" ||
+           name == "EXT_lights_image_based";
+}
+
+}  // namespace
+
+void refuseUnknownExtensions(const JsonItem& root) {
+    for (const JsonItem& item : root.list("extensionsRequired")) {
+        const std::string& name = item.text();
+        if (contains(kRead, name) || contains(kHarmless, name) || isAppearance(name)) continue;
+        item.fail(fmt::format("the file requires the extension {}, which is not supported",
+                              printable(name)));
+    }
+}
+
+void noteFeatures(const JsonItem& root, Notes& notes) {
+    for (const JsonItem& item : root.list("extensionsUsed")) {
+        const std::string& name = item.text();
+        if (!contains(kRead, name) && !contains(kHarmless, name))
+            notes.add("extensions that are not rendered", name);
+    }
+    if (!root.list("animations").empty()) notes.add("animations are not rendered");
+    if (!root.list("skins").empty()) notes.add("skins are not rendered; shapes stay as modelled");
+}
+
+}  // namespace tukor

@@ -1,0 +1,188 @@
+#include "tukor/scene/gltf_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "tukor/base/error.h"
+#include "tukor/materials/materials.h"
+#include "tukor/scene/finish_mesh.h"
+#include "tukor/scene/gltf_document.h"
+#include "tukor/scene/gltf_features.h"
+#include "tukor/scene/gltf_material.h"
+#include "tukor/scene/gltf_nodes.h"
+#include "tukor/scene/gltf_primitive.h"
+
+namespace tukor {
+
+namespace {
+
+constexpr std::uint64_t kMostCopiedTriangles = 1 << 24;  // 600 MB of them
+constexpr std::size_t kMostParts = 1 << 18;
+
+// A small file can repeat what it has without end: that is found out before anything is read.
+void checkTotal(const GltfDocument& document, const std::vector<GltfPlaced>& placed) {
+    const JsonItem root = document.root();
+    std::map<std::size_t, std::pair<std::uint64_t, std::size_t>> counts;  // triangles, primitives
+    std::uint64_t triangles = 0;
+    std::size_t parts = 0;
+    // One-byte indices are the least that a triangle can take in the file.
+    const std::uint64_t most =
+        std::max<std::uint64_t>(kMostCopiedTriangles, document.largestBuffer() / 3);
+    for (const GltfPlaced& one : placed) {
+        auto known = counts.find(one.index);
+        if (known == counts.end()) {
+            std::pair<std::uint64_t, std::size_t> count{0, 0};
+            for (const JsonItem& primitive :
+                 document.item("meshes", one.index, root).list("primitives")) {
+                count.first += triangleCountOf(document, primitive);
+                ++count.second;
+                if (count.first > most) break;
+            }
+            known = counts.emplace(one.index, count).first;
+        }
+        triangles += known->second.first;
+        parts += known->second.second;
+        if (triangles > most || parts > kMostParts)
+            throw Error(
+                fmt::format("{}: its nodes repeat meshes to more than {} triangles or {} "
+                            "parts",
+                            document.name(), most, kMostParts));
+    }
+}
+
+// A mesh's own triangles in the world.
+Mesh placedMesh(Mesh mesh, const GltfPlaced& placed) {
+    const glm::dmat3 linear(placed.worldFromNode);
+    const glm::dvec3 origin(placed.worldFromNode[3]);
+    // Normals follow the cross products of edges; a mirrored mesh has its winding turned back.
+    const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                               glm::cross(linear[0], linear[1]));
+    const bool mirrored = glm::dot(linear[0], cofactors[0]) < 0.0;
+    for (glm::vec3& p : mesh.positions) p = glm::vec3(linear * glm::dvec3(p) + origin);
+    for (glm::vec3& n : mesh.normals) {
+        const glm::dvec3 turned = cofactors * glm::dvec3(n) * (mirrored ? -1.0 : 1.0);
+        const double length = glm::length(turned);  // tiny for millimetres: no floats yet
+        n = length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0f);
+    }
+    if (mirrored)
+        for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
+    return mesh;
+}
+
+class Reader {
+public:
+    Reader(const GltfDocument& document, const ModelOptions& options)
+        : document_(document), options_(options) {}
+
+    Scene read() {
+        noteFeatures(document_.root(), notes_);
+        const GltfPlacements placements = placementsOf(document_, notes_);
+        checkTotal(document_, placements.meshes);
+        for (const GltfPlaced& placed : placements.meshes) addMesh(placed);
+        if (scene_.parts.empty())
+            throw Error(
+                fmt::format("{}: nothing to render: no triangles in its scene", document_.name()));
+        for (const GltfPlaced& placed : placements.cameras) addCamera(placed);
+        scene_.warnings = notes_.sentences();
+        return std::move(scene_);
+    }
+
+private:
+    struct Finish {
+        std::string name;
+        Material material;
+    };
+
+    void addMesh(const GltfPlaced& placed) {
+        const JsonItem mesh = document_.item("meshes", placed.index, document_.root());
+        for (const JsonItem& primitive : mesh.list("primitives")) {
+            Mesh triangles = readPrimitive(document_, primitive, placed.name, notes_);
+            if (triangles.triangles.empty()) continue;
+            triangles = finishedMesh(placedMesh(std::move(triangles), placed), options_.creaseAngle,
+                                     placed.where, placed.name, notes_);
+            if (triangles.triangles.empty()) {
+                notes_.add("scaled to nothing, left out", placed.name);
+                continue;
+            }
+            const Finish& finish = finishOf(primitive);
+            scene_.parts.push_back(
+                {placed.name, finish.name, finish.material, std::move(triangles)});
+        }
+    }
+
+    const Finish& finishOf(const JsonItem& primitive) {
+        const std::optional<JsonItem> index = primitive.find("material");
+        const std::size_t key = index ? index->count() : kNone;
+        auto known = finishes_.find(key);
+        if (known == finishes_.end()) {
+            Finish finish;
+            if (index) {
+                const JsonItem material = document_.item("materials", key, *index);
+                const Surface surface =
+                    readGltfMaterial(material, fmt::format("material {}", key), notes_);
+                finish = {surface.name, materialOf(surface, notes_)};
+            } else {
+                finish = {"", parseMaterial(options_.material)};
+            }
+            known = finishes_.emplace(key, std::move(finish)).first;
+        }
+        return known->second;
+    }
+
+    void addCamera(const GltfPlaced& placed) {
+        const JsonItem camera = document_.item("cameras", placed.index, document_.root());
+        if (camera.at("type").text() != "perspective") {
+            notes_.add("only perspective cameras are read", placed.name);
+            return;
+        }
+        const double fov = camera.at("perspective").at("yfov").number();
+        if (!(fov > 0.0 && fov < 3.14159)) camera.fail(fmt::format("a field of view of {}", fov));
+        const glm::dvec3 back(placed.worldFromNode[2]), up(placed.worldFromNode[1]);
+        if (!(glm::length(back) > 0.0 && glm::length(up) > 0.0)) {
+            notes_.add("cameras scaled to nothing, left out", placed.name);
+            return;
+        }
+        const Bounds bounds = boundsOf(scene_);
+        NamedCamera named{placed.name, {}};
+        named.camera.eye = glm::vec3(placed.worldFromNode[3]);
+        const glm::vec3 forward = glm::vec3(-glm::normalize(back));
+        // Viewers turn around the target: the middle of the scene where that is ahead.
+        const float ahead = glm::dot(bounds.centre() - named.camera.eye, forward);
+        const float least = std::max(1e-3f * bounds.radius(), 1e-6f);
+        named.camera.target = named.camera.eye + std::max(ahead, least) * forward;
+        named.camera.up = glm::vec3(glm::normalize(up));
+        named.camera.verticalFov = static_cast<float>(fov);
+        scene_.cameras.push_back(std::move(named));
+    }
+
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    const GltfDocument& document_;
+    const ModelOptions& options_;
+    Notes notes_;
+    Scene scene_;
+    std::map<std::size_t, Finish> finishes_;  // by material; kNone: none given
+};
+
+}  // namespace
+
+bool looksLikeGltf(std::span<const std::byte> bytes) noexcept {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (text.starts_with("glTF")) return true;
+    const std::size_t start = text.substr(0, 4096).find_first_not_of("\xef\xbb\xbf \t\r\n");
+    return start != std::string_view::npos && text[start] == '{';
+}
+
+Scene loadGltf(const std::filesystem::path& path, std::span<const std::byte> bytes,
+               const ModelOptions& options) {
+    const GltfDocument document(path, bytes);
+    return Reader(document, options).read();
+}
+
+}  // namespace tukor

@@ -1,0 +1,30 @@
+// The node tree of a glTF file, flattened: what is drawn where.
+#pragma once
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "tukor/scene/gltf_document.h"
+#include "tukor/scene/notes.h"
+
+namespace tukor {
+
+/// One mesh or camera of a node, and its place in the world.
+struct GltfPlaced {
+    std::size_t index;  // in `meshes` or `cameras`
+    std::string name;   // of the node, else of the mesh or camera
+    glm::dmat4 worldFromNode;
+    std::string where;  // the node, for messages
+};
+
+struct GltfPlacements {
+    std::vector<GltfPlaced> meshes;
+    std::vector<GltfPlaced> cameras;
+};
+
+/// Walks the default scene; the first one where there is no default, and all root nodes where there
+/// are no scenes. Throws Error where nodes do not form trees, as when one is its own ancestor.
+[[nodiscard]] GltfPlacements placementsOf(const GltfDocument& document, Notes& notes);
+
+}  // namespace tukor

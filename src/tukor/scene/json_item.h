@@ -1,0 +1,88 @@
+// JSON values that know where they stand, so that every wrong type has a message that says where.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace tukor {
+
+/// Parses a whole document. Throws Error, opened by `name`, where it is not JSON, nests deeper than
+/// 64 levels, or holds more than four million values.
+[[nodiscard]] nlohmann::json parseJson(std::string_view name, std::span<const std::byte> text);
+
+/// A value and the path to it, such as `a.gltf: meshes[2].primitives[0]`. Refers to the document
+/// and its name; member names must outlive it, as literals do.
+///
+/// Every member function throws Error when the value is not of the type asked for.
+class JsonItem {
+public:
+    /// The root of a document.
+    JsonItem(const nlohmann::json& value, const std::string& document)
+        : value_(&value), document_(&document) {}
+
+    [[nodiscard]] std::string where() const;
+
+    /// A member of an object; none where it is absent.
+    [[nodiscard]] std::optional<JsonItem> find(const char* name) const;
+    /// A member that must be there.
+    [[nodiscard]] JsonItem at(const char* name) const;
+    [[nodiscard]] std::vector<std::string> memberNames() const;
+
+    /// Of an array.
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] JsonItem operator[](std::size_t index) const;
+    /// The elements of an array member; none where it is absent.
+    [[nodiscard]] std::vector<JsonItem> list(const char* name) const;
+
+    [[nodiscard]] double number() const;      // finite
+    [[nodiscard]] std::size_t count() const;  // a whole number from 0 to 2^53
+    [[nodiscard]] const std::string& text() const;
+    [[nodiscard]] bool truth() const;
+
+    /// Members with a default for absence.
+    [[nodiscard]] double numberOr(const char* name, double absent) const;
+    [[nodiscard]] std::size_t countOr(const char* name, std::size_t absent) const;
+    [[nodiscard]] std::string textOr(const char* name, std::string_view absent) const;
+    [[nodiscard]] bool truthOr(const char* name, bool absent) const;
+
+    /// An array of exactly N numbers.
+    template <std::size_t N>
+    [[nodiscard]] std::optional<std::array<double, N>> numbers(const char* name) const {
+        std::array<double, N> values;
+        if (!numbersInto(name, values)) return std::nullopt;
+        return values;
+    }
+
+    /// `where: found TYPE; expected THING`, as an Error.
+    [[noreturn]] void refuse(std::string_view expected) const;
+    /// `where: message`, as an Error.
+    [[noreturn]] void fail(std::string_view message) const;
+
+private:
+    bool numbersInto(const char* name, std::span<double> values) const;
+    void requireObject() const;
+    [[nodiscard]] JsonItem child(const nlohmann::json& value, const char* name,
+                                 std::size_t index) const noexcept;
+
+    struct Step {
+        const char* name = nullptr;  // of a member; null: an element
+        std::size_t index = 0;
+    };
+    static constexpr std::size_t kSteps = 10;  // deeper ones are not told
+
+    // Paths are put into words only for messages: a file can have millions of items.
+    const nlohmann::json* value_;
+    const std::string* document_;
+    std::array<Step, kSteps> path_{};
+    std::size_t depth_ = 0;
+};
+
+}  // namespace tukor
