@@ -76,6 +76,23 @@ CubeMap shrunkCube(const CubeMap& cube, int faceSize) {
     return result;
 }
 
+CubeMap resizedCube(const CubeMap& cube, int faceSize) {
+    if (faceSize <= cube.faceSize()) return shrunkCube(cube, faceSize);
+    CubeMap result(faceSize);
+    parallelFor(0, 6 * faceSize, 16, [&](int begin, int end) {
+        for (int line = begin; line < end; ++line) {
+            const auto face = static_cast<CubeFace>(line / faceSize);
+            const int row = line % faceSize;
+            for (int column = 0; column < faceSize; ++column)
+                result.texels(
+                    face)[static_cast<std::size_t>(row) * static_cast<std::size_t>(faceSize) +
+                          static_cast<std::size_t>(column)] =
+                    cube.radiance(directionFromTexel({face, column, row}, faceSize));
+        }
+    });
+    return result;
+}
+
 std::vector<CubeMap> cubeMips(const CubeMap& cube) {
     std::vector<CubeMap> mips;
     for (int size = cube.faceSize() / 2; size >= 1; size /= 2)

@@ -1,4 +1,4 @@
-// Smaller cube maps from larger ones, each texel the mean radiance over its solid angle.
+// Cube maps at other sizes; in smaller ones a texel is the mean radiance over its solid angle.
 #pragma once
 #include <vector>
 
@@ -10,6 +10,9 @@ namespace tukor {
 ///
 /// Sizes need not divide each other: a texel across a boundary counts by the part that lies inside.
 [[nodiscard]] CubeMap shrunkCube(const CubeMap& cube, int faceSize);
+
+/// The map at any face size: shrunkCube, or bilinear look-ups at the new texel centres.
+[[nodiscard]] CubeMap resizedCube(const CubeMap& cube, int faceSize);
 
 /// The chain below a cube map as OpenGL numbers it: element 0 is level 1, of half the face size
 /// rounded down; the last has one texel a face. Empty for a map of one texel a face.

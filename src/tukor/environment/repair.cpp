@@ -1,0 +1,83 @@
+#include "tukor/environment/repair.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace tukor {
+
+namespace {
+
+bool sound(glm::vec3 pixel) {
+    // Also false for no number.
+    constexpr float kMost = 3.4028235e38f;
+    return pixel.x >= 0.0f && pixel.x <= kMost && pixel.y >= 0.0f && pixel.y <= kMost &&
+           pixel.z >= 0.0f && pixel.z <= kMost;
+}
+
+/// The replacement of a component that is not finite, from the pixels around it as they were.
+float fromNeighbours(const Image& image, int column, int row, int component) {
+    float sum = 0.0f, most = 0.0f;
+    int count = 0;
+    for (int j = std::max(row - 1, 0); j <= std::min(row + 1, image.height() - 1); ++j)
+        for (int i = column - 1; i <= column + 1; ++i) {
+            const float value = image.at((i + image.width()) % image.width(), j)[component];
+            if (!std::isfinite(value)) continue;
+            sum += std::max(value, 0.0f);
+            most = std::max(most, value);
+            ++count;
+        }
+    const float original = image.at(column, row)[component];
+    if (original > 0.0f) return most;
+    return count > 0 && std::isnan(original) ? sum / static_cast<float>(count) : 0.0f;
+}
+
+}  // namespace
+
+RepairCount repairRadiance(Image& image) {
+    struct Repair {
+        int column, row;
+        glm::vec3 pixel;
+    };
+    // Collected first: a replaced pixel must not become the neighbour that the next one copies.
+    std::vector<Repair> repairs;
+    RepairCount count;
+    for (int row = 0; row < image.height(); ++row)
+        for (int column = 0; column < image.width(); ++column) {
+            const glm::vec3 pixel = image.at(column, row);
+            if (sound(pixel)) continue;
+            glm::vec3 repaired = pixel;
+            bool finite = true, positive = true;
+            for (int i = 0; i < 3; ++i) {
+                if (!std::isfinite(pixel[i])) {
+                    repaired[i] = fromNeighbours(image, column, row, i);
+                    finite = false;
+                } else if (pixel[i] < 0.0f) {
+                    repaired[i] = 0.0f;
+                    positive = false;
+                }
+            }
+            count.notFinite += finite ? 0 : 1;
+            count.negative += positive ? 0 : 1;
+            repairs.push_back({column, row, repaired});
+        }
+    for (const Repair& repair : repairs) image.at(repair.column, repair.row) = repair.pixel;
+    return count;
+}
+
+std::vector<std::string> describeRepairs(const RepairCount& count) {
+    std::vector<std::string> sentences;
+    const auto pixels = [](int number) {
+        return number == 1 ? std::string("1 pixel") : fmt::format("{} pixels", number);
+    };
+    if (count.notFinite > 0)
+        sentences.push_back(
+            fmt::format("{} not finite, replaced by the neighbours", pixels(count.notFinite)));
+    if (count.negative > 0)
+        sentences.push_back(
+            fmt::format("{} with negative radiance, set to 0", pixels(count.negative)));
+    return sentences;
+}
+
+}  // namespace tukor

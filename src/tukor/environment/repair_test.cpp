@@ -1,0 +1,56 @@
+#include "tukor/environment/repair.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace tukor {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+Image constant(int width, int height, float value) {
+    Image image(width, height);
+    for (glm::vec3& pixel : image.pixels()) pixel = glm::vec3(value);
+    return image;
+}
+
+TEST(RepairRadiance, LeavesSoundRadianceAlone) {
+    Image image = constant(5, 4, 0.5f);
+    image.at(2, 2) = {0.0f, 3.4e38f, 1e-40f};
+    const RepairCount count = repairRadiance(image);
+    EXPECT_EQ(count.notFinite, 0);
+    EXPECT_EQ(count.negative, 0);
+    EXPECT_EQ(image.at(2, 2), glm::vec3(0.0f, 3.4e38f, 1e-40f));
+    EXPECT_TRUE(describeRepairs(count).empty());
+}
+
+TEST(RepairRadiance, ReplacesEachKindByItsRule) {
+    Image image = constant(5, 5, 1.0f);
+    image.at(1, 1) = glm::vec3(9.0f);
+    image.at(2, 2) = {kNan, kInfinity, -kInfinity};
+    image.at(4, 4) = {1.0f, -0.25f, 1.0f};
+    const RepairCount count = repairRadiance(image);
+    EXPECT_EQ(image.at(2, 2), glm::vec3(2.0f, 9.0f, 0.0f));  // (9 + 7 * 1) / 8, the largest, 0
+    EXPECT_EQ(image.at(4, 4), glm::vec3(1.0f, 0.0f, 1.0f));
+    EXPECT_THAT(describeRepairs(count),
+                ElementsAre("1 pixel not finite, replaced by the neighbours",
+                            "1 pixel with negative radiance, set to 0"));
+}
+
+TEST(RepairRadiance, TakesNeighboursOverTheSeamAndZeroWhereThereIsNone) {
+    Image image = constant(4, 1, kNan);
+    image.at(3, 0) = glm::vec3(5.0f);
+    const RepairCount count = repairRadiance(image);
+    EXPECT_EQ(image.at(0, 0), glm::vec3(5.0f));
+    EXPECT_EQ(image.at(1, 0), glm::vec3(0.0f));
+    EXPECT_EQ(count.notFinite, 3);
+}
+
+}  // namespace
+}  // namespace tukor
