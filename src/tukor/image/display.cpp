@@ -21,14 +21,15 @@ double linearFromCode(double code) {
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-// A component's code from the top bits of its float, then a few steps up: 64 buckets for each power
-// of two between 2^-13, below the first code's threshold, and 1.
+// A component's code from the top bits of its float: 256 buckets for each power of two between
+// 2^-13, below the first code's threshold, and 1. They are narrower than the codes, so that a
+// bucket holds one threshold at most and one comparison decides.
 constexpr std::uint32_t kFirstBits = (127u - 13u) << 23;
-constexpr int kShift = 17;
+constexpr int kShift = 15;
 
 struct Srgb8Table {
     std::array<float, 257> threshold{};  // the least value of each code; none reaches the last
-    std::array<std::uint8_t, 13 * 64> first{};  // the code at the low end of each bucket
+    std::array<std::uint8_t, 13 * 256> first{};  // the code at the low end of each bucket
 
     Srgb8Table() {
         for (int code = 1; code < 256; ++code)
@@ -61,13 +62,13 @@ glm::vec3 displayed(glm::vec3 radiance, Tonemap tonemap, float exposureFactor) {
 
 std::uint8_t srgb8(float linear) noexcept {
     static const Srgb8Table table;
-    if (!(linear > table.threshold[1])) return linear >= table.threshold[1] ? 1 : 0;
-    if (linear >= 1.0f) return 255;
+    constexpr float kLeast = 1.0f / 8192.0f;         // 2^-13, code 0
+    constexpr float kMost = 1.0f - 1.0f / 16777216;  // the float below 1
+    const float clipped = linear > kLeast ? std::min(linear, kMost) : kLeast;
     std::uint32_t bits = 0;
-    std::memcpy(&bits, &linear, sizeof bits);
-    std::size_t code = table.first[(bits - kFirstBits) >> kShift];
-    while (linear >= table.threshold[code + 1]) ++code;
-    return static_cast<std::uint8_t>(code);
+    std::memcpy(&bits, &clipped, sizeof bits);
+    const std::size_t code = table.first[(bits - kFirstBits) >> kShift];
+    return static_cast<std::uint8_t>(code + (clipped >= table.threshold[code + 1] ? 1 : 0));
 }
 
 const std::array<float, 256>& linearFromSrgb8() noexcept {

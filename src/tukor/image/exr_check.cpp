@@ -41,6 +41,64 @@ std::int64_t sizeOfBytes(exr_const_context_t, void* user) {
     return static_cast<std::int64_t>(static_cast<const std::span<const std::byte>*>(user)->size());
 }
 
+/// Steps over the attributes of all headers: the library allocates what they declare before it
+/// looks how much there is.
+class HeaderWalk {
+public:
+    HeaderWalk(std::span<const std::byte> bytes, std::string_view name)
+        : bytes_(bytes), name_(name) {}
+
+    void walk() {
+        constexpr std::uint32_t kMultiPart = 0x1000;
+        at_ = 4;  // behind the magic number
+        const std::uint32_t flags = number();
+        while (walkHeader() && (flags & kMultiPart) != 0) {
+        }
+    }
+
+private:
+    [[noreturn]] void fail() const {
+        throw Error(fmt::format("{}: damaged OpenEXR file: its header does not end", name_));
+    }
+
+    std::uint32_t number() {
+        if (bytes_.size() - at_ < 4) fail();
+        std::uint32_t value = 0;
+        std::memcpy(&value, bytes_.data() + at_, 4);  // little-endian, as everything that we run on
+        at_ += 4;
+        return value;
+    }
+
+    /// Returns its length.
+    std::size_t skipString() {
+        const auto rest = bytes_.subspan(at_, std::min<std::size_t>(bytes_.size() - at_, 256));
+        const auto end = std::find(rest.begin(), rest.end(), std::byte{0});
+        if (end == rest.end()) fail();
+        const auto length = static_cast<std::size_t>(end - rest.begin());
+        at_ += length + 1;
+        return length;
+    }
+
+    /// False for an empty header, which ends the list of parts.
+    bool walkHeader() {
+        bool any = false;
+        while (skipString() > 0) {
+            any = true;
+            skipString();  // the type
+            const std::uint32_t size = number();
+            if (size > bytes_.size() - at_)
+                throw Error(
+                    fmt::format("{}: damaged OpenEXR file: an attribute of {} bytes", name_, size));
+            at_ += size;
+        }
+        return any;
+    }
+
+    std::span<const std::byte> bytes_;
+    std::string_view name_;
+    std::size_t at_ = 0;
+};
+
 struct Finish {
     void operator()(exr_context_t context) const noexcept { exr_finish(&context); }
 };
@@ -117,6 +175,7 @@ private:
 }  // namespace
 
 void checkExr(std::span<const std::byte> bytes, std::string_view name) {
+    HeaderWalk(bytes, name).walk();
     exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
     setup.error_handler_fn = keepComplaint;
     setup.user_data = &bytes;

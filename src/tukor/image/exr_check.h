@@ -6,8 +6,9 @@
 
 namespace tukor {
 
-/// Throws Error when a part is larger than the limits of image_size.h, when its pixels cannot be in
-/// a file of this size, or when the chunks of pixels are not all inside the file.
+/// `bytes` satisfy isExr. Throws Error when a part is larger than the limits of image_size.h, when
+/// its pixels cannot be in a file of this size, or when the chunks of pixels are not all inside the
+/// file.
 void checkExr(std::span<const std::byte> bytes, std::string_view name);
 
 }  // namespace tukor

@@ -265,6 +265,7 @@ bool isExr(std::span<const std::byte> bytes) noexcept {
 }
 
 Image decodeExr(std::span<const std::byte> bytes, std::string_view name) {
+    if (!isExr(bytes)) throw Error(fmt::format("{}: not an OpenEXR file", name));
     checkExr(bytes, name);
     try {
         return decode(bytes, name);

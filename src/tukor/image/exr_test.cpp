@@ -271,6 +271,20 @@ TEST_F(ExrRead, RefusesEveryTruncationWithOneError) {
             << size;
 }
 
+TEST(ExrCheck, NamesWhatTheHeaderGetsWrong) {
+    const auto complains = [](std::string file, const std::string& message) {
+        EXPECT_THAT([&] { (void)decodeExr(std::as_bytes(std::span(file)), "x.exr"); },
+                    ThrowsMessage<Error>(HasSubstr(message)));
+    };
+    using namespace std::string_literals;
+    const std::string start = "\x76\x2f\x31\1\2\0\0\0"s;
+    complains("\x76\x2f", "x.exr: not an OpenEXR file");
+    complains(start + "channels", "x.exr: damaged OpenEXR file: its header does not end");
+    complains(start + "channels\0chlist\0\xff\xff\xff\xff"s,
+              "x.exr: damaged OpenEXR file: an attribute of 4294967295 bytes");
+    complains(start + "\0"s, "x.exr: damaged OpenEXR file: ");
+}
+
 TEST(ExrWrite, FloatsSurviveAndHalvesAreClipped) {
     Image image(3, 1);
     image.at(0, 0) = glm::vec3(1.0f / 3.0f, 1e6f, -2.5f);

@@ -218,6 +218,7 @@ bool isRadiance(std::span<const std::byte> bytes) noexcept {
 }
 
 Image decodeRadiance(std::span<const std::byte> bytes, std::string_view name) {
+    if (!isRadiance(bytes)) throw Error(fmt::format("{}: not a Radiance picture", name));
     const Header header = readHeader(bytes, name);
     const Resolution& r = header.resolution;
     const std::vector<std::size_t> starts = findScanlines(bytes, header, name);
