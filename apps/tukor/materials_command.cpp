@@ -1,0 +1,96 @@
+// `tukor materials`: the named materials with their figures and sources.
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "tukor/app/option_text.h"
+#include "tukor/materials/materials.h"
+
+namespace tukor {
+namespace {
+
+std::string_view kindName(MaterialKind kind) {
+    switch (kind) {
+        case MaterialKind::mirror:
+            return "mirror";
+        case MaterialKind::metal:
+            return "metal";
+        case MaterialKind::dielectric:
+            return "dielectric";
+    }
+    return "";
+}
+
+/// The figures in the syntax of --material.
+std::string figures(const Material& material) {
+    switch (material.kind) {
+        case MaterialKind::mirror:
+            return "mirror:" + textFromValue(material.tint);
+        case MaterialKind::metal:
+            return "metal:" + textFromValue(material.eta) + "/" + textFromValue(material.k);
+        case MaterialKind::dielectric:
+            return "ior:" + textFromValue(material.eta.x) +
+                   (material.sigmaA == glm::vec3(0.0f) ? "" : "/" + textFromValue(material.sigmaA));
+    }
+    return {};
+}
+
+void printTable() {
+    fmt::print("{:<16}{:<44}{:<28}{}\n", "name", "figures", "wavelengths",
+               "description and source");
+    for (const NamedMaterial& row : namedMaterials()) {
+        fmt::print("{:<16}{:<44}{:<28}{} [{}]\n", row.name, figures(row.material),
+                   row.wavelengths.empty() ? "-" : row.wavelengths, row.description, row.source);
+    }
+    fmt::print(
+        "\nAlso from figures: --material ior:1.2, ior:1.5/0.1,0.2,0.9 (with absorption in 1/m),\n"
+        "metal:0.21,0.485,1.29/3.13,2.23,1.76 (eta/k for R,G,B), mirror:0.9,0.8,0.7 "
+        "(reflectance)\n");
+}
+
+void printJson() {
+    auto all = nlohmann::ordered_json::array();
+    const auto list = [](glm::vec3 v) {
+        return nlohmann::ordered_json{std::stod(textFromValue(v.x)), std::stod(textFromValue(v.y)),
+                                      std::stod(textFromValue(v.z))};
+    };
+    for (const NamedMaterial& row : namedMaterials()) {
+        nlohmann::ordered_json one;
+        one["name"] = row.name;
+        one["kind"] = kindName(row.material.kind);
+        one["description"] = row.description;
+        if (row.material.kind == MaterialKind::mirror) {
+            one["tint"] = list(row.material.tint);
+        } else {
+            one["eta"] = list(row.material.eta);
+        }
+        if (row.material.kind == MaterialKind::metal) one["k"] = list(row.material.k);
+        if (row.material.kind == MaterialKind::dielectric) {
+            one["sigmaA"] = list(row.material.sigmaA);
+            one["priority"] = row.material.priority;
+        }
+        one["wavelengths"] = row.wavelengths;
+        one["source"] = row.source;
+        all.push_back(std::move(one));
+    }
+    fmt::print("{}\n", all.dump(2));
+}
+
+}  // namespace
+
+void addMaterialsCommand(CLI::App& program, Action& action) {
+    CLI::App* command =
+        program.add_subcommand("materials", "the named materials, their figures and sources");
+    auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "as JSON: eta and k for R, G, B, sigmaA in 1/m");
+    command->callback([&action, json] {
+        action = [json] {
+            *json ? printJson() : printTable();
+            return 0;
+        };
+    });
+}
+
+}  // namespace tukor

@@ -1,0 +1,172 @@
+#include "usage.h"
+
+#include <cstdio>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "tukor/app/suggestion.h"
+#include "tukor/base/spelling.h"
+
+namespace tukor {
+namespace {
+
+constexpr std::size_t kNameColumns = 34;
+constexpr std::size_t kColumns = 100;
+
+/// Words of `text` in lines of the right column; the first line goes on where the name ended.
+std::string wrapped(const std::string& text) {
+    std::string out;
+    std::size_t column = kNameColumns;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        if (column > kNameColumns && column + 1 + word.size() > kColumns) {
+            out += "\n" + std::string(kNameColumns, ' ');
+            column = kNameColumns;
+        } else if (column > kNameColumns) {
+            out += ' ';
+            ++column;
+        }
+        out += word;
+        column += word.size();
+    }
+    return out + "\n";
+}
+
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_option(const CLI::Option* option, bool isPositional) const override {
+        std::string name = "  ";
+        for (const char c : option->get_name(isPositional, !isPositional)) {
+            name += c;
+            if (c == ',') name += ' ';
+        }
+        if (!isPositional && !option->get_type_name().empty()) {
+            name += " " + option->get_type_name();
+        }
+        std::string help = option->get_description();
+        if (!option->get_default_str().empty()) {
+            help += fmt::format(" (default {})", option->get_default_str());
+        }
+        if (name.size() + 2 > kNameColumns) {
+            name += "\n" + std::string(kNameColumns, ' ');
+        } else {
+            name.resize(kNameColumns, ' ');
+        }
+        return name + wrapped(help);
+    }
+
+    std::string make_subcommand(const CLI::App* command) const override {
+        std::string name = "  " + command->get_name();
+        name.resize(16, ' ');
+        return name + command->get_description() + "\n";
+    }
+
+    std::string make_usage(const CLI::App* command, std::string name) const override {
+        std::string usage = "Usage: " + name;
+        if (!command->get_subcommands({}).empty()) return usage + " COMMAND [options]\n\n";
+        for (const CLI::Option* option : command->get_options()) {
+            if (option->get_positional()) usage += " " + option->get_name(true);
+            if (option->get_positional() && option->get_expected_max() > 1) usage += "...";
+        }
+        usage += " [options]";
+        if (command->get_option_no_throw("--output") != nullptr) usage += " -o OUT";
+        return usage + "\n\n";
+    }
+
+    /// The library's page with no more than one empty line in a row.
+    std::string make_help(const CLI::App* command, std::string name,
+                          CLI::AppFormatMode mode) const override {
+        std::string page = CLI::Formatter::make_help(command, std::move(name), mode);
+        for (auto gap = page.find("\n\n\n"); gap != page.npos; gap = page.find("\n\n\n")) {
+            page.erase(gap, 1);
+        }
+        return page;
+    }
+
+    std::string make_footer(const CLI::App* command) const override {
+        const std::string footer = command->get_footer();
+        return footer.empty() ? "" : "\n" + footer + "\n";
+    }
+};
+
+/// The subcommand that was being parsed, or the program itself.
+const CLI::App& parsedCommand(const CLI::App& program) {
+    const CLI::App* command = &program;
+    for (auto parsed = command->get_subcommands(); !parsed.empty();
+         parsed = command->get_subcommands()) {
+        command = parsed.front();
+    }
+    return *command;
+}
+
+std::string commandName(const CLI::App& command) {
+    std::string name = command.get_name();
+    for (const CLI::App* parent = command.get_parent(); parent; parent = parent->get_parent()) {
+        name = parent->get_name() + " " + name;
+    }
+    return name;
+}
+
+/// About the first argument that nothing took; empty when there is none.
+std::string aboutLeftovers(const CLI::App& program, const CLI::App& command) {
+    for (const std::string& argument : program.remaining(true)) {
+        if (argument.size() > 1 && argument.starts_with('-')) {
+            const std::string given = argument.substr(0, argument.find('='));
+            std::vector<std::string> names;
+            for (const CLI::Option* option : command.get_options()) {
+                for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+            }
+            const std::vector<std::string_view> known(names.begin(), names.end());
+            const std::string_view nearest = nearestName(given, known);
+            return fmt::format("unknown option {}{}", given,
+                               nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+        }
+        std::vector<std::string> names;
+        for (const CLI::App* sub : command.get_subcommands({})) names.push_back(sub->get_name());
+        if (names.empty()) return fmt::format("unexpected argument '{}'", argument);
+        const std::vector<std::string_view> known(names.begin(), names.end());
+        return fmt::format("command {}", unknownName(argument, known));
+    }
+    return {};
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::Formatter> helpFormatter() {
+    return std::make_shared<HelpFormatter>();
+}
+
+int reportParseEnd(const CLI::App& program, const CLI::ParseError& end) {
+    if (end.get_exit_code() == 0) return program.exit(end);  // --help, --version: on stdout
+    const CLI::App& command = parsedCommand(program);
+    std::string message = aboutLeftovers(program, command);
+    if (message.empty()) message = end.what();
+    fmt::print(stderr, "tukor: {}\nTry `{} --help`.\n", message, commandName(command));
+    return kExitUsage;
+}
+
+std::vector<std::string> joinedArguments(int argc, const char* const* argv) {
+    std::vector<std::string> arguments;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        const bool isNumber = argument.size() > 1 && argument[0] == '-' &&
+                              (argument[1] == '.' || (argument[1] >= '0' && argument[1] <= '9'));
+        if (isNumber && !arguments.empty() && arguments.back().starts_with("--") &&
+            arguments.back().find('=') == std::string::npos) {
+            arguments.back() += "=" + argument;
+        } else {
+            arguments.push_back(argument);
+        }
+    }
+    return arguments;
+}
+
+void warn(std::string_view message) {
+    static std::set<std::string, std::less<>> said;
+    if (said.emplace(message).second) fmt::print(stderr, "tukor: warning: {}\n", message);
+}
+
+}  // namespace tukor
