@@ -2,15 +2,20 @@
 #
 #   tukor_module(optics DEPENDS base PUBLIC glm::glm PRIVATE Foo::foo)
 #
-# Sources are the folder's *.cpp; headers its *.h, installed by their path below src.
+# Sources are the folder's *.cpp; headers its *.h, installed by their path below src. NATIVE_ONLY names sources that the
+# WebAssembly build leaves out: what a browser does itself, or forbids.
 function(tukor_module name)
-    cmake_parse_arguments(arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST_LIBRARIES" ${ARGN})
+    cmake_parse_arguments(arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST_LIBRARIES;NATIVE_ONLY" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS *.cpp)
     file(GLOB headers CONFIGURE_DEPENDS *.h)
     list(FILTER headers EXCLUDE REGEX "/test_[a-z_]*\\.h$")  # shared by tests, not installed
     file(GLOB tests CONFIGURE_DEPENDS *_test.cpp)
     if(tests)
         list(REMOVE_ITEM sources ${tests})
+    endif()
+    if(EMSCRIPTEN AND arg_NATIVE_ONLY)
+        list(TRANSFORM arg_NATIVE_ONLY PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+        list(REMOVE_ITEM sources ${arg_NATIVE_ONLY})
     endif()
 
     set(target tukor_${name})

@@ -2,7 +2,9 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT EMSCRIPTEN)
+    set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
@@ -43,3 +45,17 @@ if(TUKOR_FUZZ)
     add_link_options(-fsanitize=address,undefined)
     add_compile_definitions(TUKOR_ASSERTIONS)
 endif()
+
+if(EMSCRIPTEN)
+    # Everything a page fetches counts, so code is made small; hot loops ask for speed by themselves (tukor_hot).
+    set(CMAKE_CXX_FLAGS_MINSIZEREL "-Oz -DNDEBUG")
+    add_compile_options(-fwasm-exceptions)
+    add_link_options(-fwasm-exceptions)
+endif()
+
+# Sources that are compiled for speed where others are compiled for size.
+function(tukor_hot)
+    if(EMSCRIPTEN)
+        set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -O3)
+    endif()
+endfunction()

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -126,9 +125,8 @@ Folded fold(const std::vector<BinaryNode>& tree) {
         const glm::vec3 least = tree[binary].least, most = tree[binary].most;
         const std::array grids = {Grid(least.x, most.x), Grid(least.y, most.y),
                                   Grid(least.z, most.z)};
-        glm::uvec4 frame(std::bit_cast<std::uint32_t>(least.x),
-                         std::bit_cast<std::uint32_t>(least.y),
-                         std::bit_cast<std::uint32_t>(least.z),
+        const glm::uvec3 corner = glm::floatBitsToUint(least);
+        glm::uvec4 frame(corner,
                          grids[0].exponent | grids[1].exponent << 8 | grids[2].exponent << 16);
         glm::uvec4 low(0, 0, 0, static_cast<std::uint32_t>(pending.size()));
         glm::uvec4 high(0, 0, 0, static_cast<std::uint32_t>(folded.order.size()));

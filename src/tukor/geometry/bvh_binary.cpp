@@ -205,7 +205,7 @@ private:
         });
         Split result{left, {}};
         for (auto item = begin; item != end; ++item)
-            result.boxes[item - begin < left ? 0 : 1].include(item->least, item->most);
+            result.boxes[item < begin + left ? 0 : 1].include(item->least, item->most);
         return result;
     }
 

@@ -102,7 +102,7 @@ Mesh makeSphere(int frequency) {
     // Row r of a face has r + 1 vertices, from the side a-b to the side a-c.
     parallelFor(0, 20, 1, [&](int first, int last) {
         for (int f = first; f < last; ++f) {
-            const auto [ia, ib, ic] = solid.faces[f];
+            const int ia = solid.faces[f][0], ib = solid.faces[f][1], ic = solid.faces[f][2];
             const dvec3 a = solid.corners[ia], b = solid.corners[ib], c = solid.corners[ic];
             const auto onEdge = [&](int from, int to, int step) {
                 const int start = edges.at({std::min(from, to), std::max(from, to)});
