@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -107,13 +106,6 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
 
 void writeFile(const fs::path& path, std::string_view text) {
     writeFile(path, std::as_bytes(std::span(text)));
-}
-
-std::string lowerExtension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
 }
 
 }  // namespace tukor

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tukor/base/options.h"
@@ -35,6 +36,18 @@ struct Environment {
     /// close-up look through equirectRadiance is exact at any magnification.
     std::shared_ptr<const Image> panorama = nullptr;
 };
+
+/// The names of what is built in.
+[[nodiscard]] std::vector<std::string_view> builtInEnvironmentNames();
+
+/// `studio` or `sky`; none when the name is unknown.
+[[nodiscard]] std::optional<Environment> builtInEnvironment(std::string_view name,
+                                                            const EnvironmentOptions& options = {});
+
+/// From a picture that is an equirectangular panorama, cross or strip by its shape; `name` is for
+/// messages. Throws Error.
+[[nodiscard]] Environment environmentFromPicture(const std::string& name, Image picture,
+                                                 const EnvironmentOptions& options = {});
 
 /// From a built-in name (`studio`, `sky`), an image file that is an equirectangular panorama, cross
 /// or strip by its shape, a pattern of six files (`sky_{}.png`) or a folder with six.

@@ -21,7 +21,7 @@ int hexDigit(char c) {
 }
 
 // Whether `path` is `folder` or lies below it, both without links.
-bool isBelow(const fs::path& path, const fs::path& folder) {
+[[maybe_unused]] bool isBelow(const fs::path& path, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
            folder.end();
 }
@@ -71,6 +71,9 @@ fs::path siblingPath(const fs::path& model, std::string_view uri) {
     if (std::find(relative.begin(), relative.end(), "..") != relative.end())
         throw refuse("a path with '..'");
 
+#ifdef __EMSCRIPTEN__
+    return model.parent_path() / relative;  // in memory, where no links lead elsewhere
+#else
     const fs::path folder = model.has_parent_path() ? model.parent_path() : fs::path(".");
     std::error_code error;
     const fs::path inside = fs::weakly_canonical(folder, error);
@@ -79,6 +82,7 @@ fs::path siblingPath(const fs::path& model, std::string_view uri) {
     if (error) throw refuse("a path that cannot be followed");
     if (!isBelow(target, inside)) throw refuse("a link that leads elsewhere");
     return target;
+#endif
 }
 
 }  // namespace tukor
