@@ -8,7 +8,7 @@
 
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
-#include "tukor/environment/cube_mips.h"
+#include "tukor/environment/equirect_area.h"
 #include "tukor/environment/equirect_rows.h"
 #include "tukor/environment/float4.h"
 
@@ -50,50 +50,6 @@ Float4 bilinear(const Image& panorama, float x, float y) noexcept {
     a += (b - a) * right;
     c += (d - c) * right;
     return a + (c - a) * down;
-}
-
-/// The means over texels, of pixels as areas of one value each.
-CubeMap areaCube(const Image& panorama, int faceSize) {
-    // 16 points of which no two share a sixteenth in either direction, as in a (0, 4, 2) net: pixel
-    // edges run nearly along s and t, and are cut to 1/16 of a texel. [Niederreiter 1992]
-    constexpr int kPoints = 16;
-    constexpr std::array<int, kPoints> kReversed = {0, 8, 4, 12, 2, 10, 6, 14,
-                                                    1, 9, 5, 13, 3, 11, 7, 15};
-    CubeMap cube(faceSize);
-    const auto size = static_cast<std::size_t>(faceSize);
-    const float step = 2.0f / static_cast<float>(faceSize);
-    parallelFor(0, 6 * faceSize, 16, [&](int begin, int end) {
-        EquirectRow places(panorama.width(), panorama.height(), faceSize);
-        std::vector<Float4> sums(size);
-        const glm::vec3* const pixels = panorama.pixels().data();
-        const int lastColumn = panorama.width() - 1, lastRow = panorama.height() - 1;
-        const std::size_t lastPixel = panorama.pixels().size() - 1;
-        for (int line = begin; line < end; ++line) {
-            const auto face = static_cast<CubeFace>(line / faceSize);
-            const int row = line % faceSize;
-            std::fill(sums.begin(), sums.end(), Float4{});
-            for (int point = 0; point < kPoints; ++point) {
-                const float s = (static_cast<float>(point) + 0.5f) / kPoints;
-                const float t =
-                    (static_cast<float>(kReversed[static_cast<std::size_t>(point)]) + 0.5f) /
-                    kPoints;
-                places.place(face, (static_cast<float>(row) + t) * step - 1.0f, s * step - 1.0f,
-                             step);
-                for (std::size_t i = 0; i < size; ++i) {
-                    const int x = std::min(static_cast<int>(places.columns[i]), lastColumn);
-                    const int y = std::min(static_cast<int>(places.rows[i]), lastRow);
-                    const std::size_t at =
-                        static_cast<std::size_t>(y) * static_cast<std::size_t>(lastColumn + 1) +
-                        static_cast<std::size_t>(x);
-                    sums[i] += at < lastPixel ? loadFloat4(pixels + at) : float4(pixels[at]);
-                }
-            }
-            glm::vec3* texel = &cube.texels(face)[static_cast<std::size_t>(row) * size];
-            for (std::size_t i = 0; i < size; ++i)
-                texel[i] = vec3FromFloat4(sums[i] / float{kPoints});
-        }
-    });
-    return cube;
 }
 
 /// Taps, at half texels from the middle out, of the filter that takes samples at half texels to the
@@ -210,12 +166,8 @@ int faceSizeForEquirect(int width) noexcept {
 CubeMap cubeFromEquirect(const Image& panorama, int faceSize) {
     TUKOR_ASSERT(faceSize >= 1 && !panorama.empty());
     const float natural = static_cast<float>(panorama.width()) / kPi;
-    const auto size = static_cast<float>(faceSize);
-    if (size >= natural) return fittedCube(panorama, faceSize);
-    // Sixteen samples suffice while a texel spans few pixels; from there on texels are averaged.
-    const int factor = std::max(1, static_cast<int>(std::ceil(0.75f * natural / size)));
-    const CubeMap fine = areaCube(panorama, faceSize * factor);
-    return factor == 1 ? fine : shrunkCube(fine, faceSize);
+    return static_cast<float>(faceSize) >= natural ? fittedCube(panorama, faceSize)
+                                                   : areaCubeFromEquirect(panorama, faceSize);
 }
 
 }  // namespace tukor
