@@ -124,37 +124,53 @@ void fillPoles(const Image& panorama, CubeMap& cube) {
     // A rank-1 lattice: no two points share a 32nd in either direction, and none is near another.
     constexpr int kPoints = 32, kGenerator = 19;
     const int size = cube.faceSize();
-    const auto count = static_cast<std::size_t>(size);
+    const int half = (size + 1) / 2;
     const float step = 2.0f / static_cast<float>(size);
-    const auto width = static_cast<std::size_t>(panorama.width());
-    const auto lastRow = static_cast<std::size_t>(panorama.height() - 1);
+    const int width = panorama.width(), lastRow = panorama.height() - 1;
+    const glm::vec3* const pixels = panorama.pixels().data();
+    // A load reads 16 bytes of 12: what falls on the very last pixel is taken from the one before.
+    const int lastPixel = static_cast<int>(panorama.pixels().size()) - 2;
     parallelFor(0, size, 16, [&](int begin, int end) {
-        EquirectRow places(panorama.width(), panorama.height(), size);
-        std::vector<Float4> up(count), down(count);
+        // (s, -t) on -Y lies right below (s, t) on +Y, and (-s, t) on the mirrored longitude: one
+        // place serves four texels.
+        EquirectRow places(width, lastRow + 1, half);
+        struct Four {
+            std::array<Float4, 4> sums;
+        };
+        std::vector<Four> texels(static_cast<std::size_t>(half));
         for (int row = begin; row < end; ++row) {
-            std::fill(up.begin(), up.end(), Float4{});
-            std::fill(down.begin(), down.end(), Float4{});
+            std::fill(texels.begin(), texels.end(), Four{});
             for (int point = 0; point < kPoints; ++point) {
                 const float s = (static_cast<float>(point) + 0.5f) / kPoints;
                 const float t = (static_cast<float>(point * kGenerator % kPoints) + 0.5f) / kPoints;
                 places.place(CubeFace::posY, (static_cast<float>(row) + t) * step - 1.0f,
                              s * step - 1.0f, step);
-                // (s, -t) on -Y lies right below (s, t) on +Y.
-                for (std::size_t i = 0; i < count; ++i) {
-                    const std::size_t x =
-                        std::min(static_cast<std::size_t>(places.columns[i]), width - 1);
-                    const std::size_t y =
-                        std::min(static_cast<std::size_t>(places.rows[i]), lastRow);
-                    up[i] += pixelAt(panorama, y * width + x);
-                    down[i] += pixelAt(panorama, (lastRow - y) * width + x);
+                for (std::size_t i = 0; i < texels.size(); ++i) {
+                    const int x = std::min(static_cast<int>(places.columns[i]), width - 1);
+                    const int y = std::min(static_cast<int>(places.rows[i]), lastRow);
+                    const int up = y * width, down = (lastRow - y) * width;
+                    auto& sums = texels[i].sums;
+                    sums[0] += loadFloat4(pixels + std::min(up + x, lastPixel));
+                    sums[1] += loadFloat4(pixels + std::min(up + width - 1 - x, lastPixel));
+                    sums[2] += loadFloat4(pixels + std::min(down + x, lastPixel));
+                    sums[3] += loadFloat4(pixels + std::min(down + width - 1 - x, lastPixel));
                 }
             }
-            glm::vec3* upper = &cube.texels(CubeFace::posY)[static_cast<std::size_t>(row) * count];
-            glm::vec3* lower =
-                &cube.texels(CubeFace::negY)[static_cast<std::size_t>(size - 1 - row) * count];
-            for (std::size_t i = 0; i < count; ++i) {
-                upper[i] = vec3FromFloat4(up[i] / float{kPoints});
-                lower[i] = vec3FromFloat4(down[i] / float{kPoints});
+            const auto line = [&](CubeFace face, int at) {
+                return cube.texels(face).subspan(static_cast<std::size_t>(at) *
+                                                 static_cast<std::size_t>(size));
+            };
+            const auto posY = line(CubeFace::posY, row),
+                       negY = line(CubeFace::negY, size - 1 - row);
+            for (int i = 0; i < half; ++i) {
+                const auto left = static_cast<std::size_t>(i);
+                const auto right = static_cast<std::size_t>(size - 1 - i);
+                const auto& sums = texels[left].sums;
+                posY[left] = vec3FromFloat4(sums[0] / float{kPoints});
+                negY[left] = vec3FromFloat4(sums[2] / float{kPoints});
+                if (left == right) continue;  // its two halves are one column
+                posY[right] = vec3FromFloat4(sums[1] / float{kPoints});
+                negY[right] = vec3FromFloat4(sums[3] / float{kPoints});
             }
         }
     });

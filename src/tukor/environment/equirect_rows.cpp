@@ -14,18 +14,18 @@ constexpr float kPi = std::numbers::pi_v<float>;
 /// Eight samples at once; spelled out, since compilers give up on the selections below.
 using Float8 = float __attribute__((vector_size(32)));
 
-Float8 absolute(Float8 x) {
+inline Float8 absolute(Float8 x) {
     return x < 0.0f ? -x : x;
 }
 
-Float8 root(Float8 x) {
+inline Float8 root(Float8 x) {
     Float8 result;
     for (int i = 0; i < 8; ++i) result[i] = std::sqrt(x[i]);
     return result;
 }
 
 /// atan(low / high) for 0 <= low <= high, high > 0; right to 2e-7. [Moshier 1989, atanf]
-Float8 atanOfRatio(Float8 low, Float8 high) {
+inline Float8 atanOfRatio(Float8 low, Float8 high) {
     const auto large = low > 0.41421356f * high;  // tan(pi / 8): beyond it the series is too slow
     const Float8 x = (large ? low - high : low) / (large ? low + high : high);
     const Float8 x2 = x * x;
@@ -38,7 +38,7 @@ Float8 atanOfRatio(Float8 low, Float8 high) {
 }
 
 /// std::atan2, but 0 at (0, 0) whatever the signs.
-Float8 fastAtan2(Float8 y, Float8 x) {
+inline Float8 fastAtan2(Float8 y, Float8 x) {
     const Float8 absX = absolute(x), absY = absolute(y);
     const auto steep = absY > absX;
     const Float8 high = steep ? absY : absX;

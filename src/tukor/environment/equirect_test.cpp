@@ -205,7 +205,7 @@ TEST(CubeFromEquirect, TakesMeansOverAreasWhenItShrinks) {
             total += glm::dot(sum, sum);
         }
     // White noise is the worst there is; pictures are ten times smoother.
-    EXPECT_LT(std::sqrt(error / total), 2e-2);
+    EXPECT_LT(std::sqrt(error / total), 1e-2);
 }
 
 }  // namespace
