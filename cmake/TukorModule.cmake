@@ -44,8 +44,6 @@ function(tukor_module name)
         add_executable(${target}_test ${tests})
         target_link_libraries(${target}_test PRIVATE ${target} tukor_settings ${arg_TEST_LIBRARIES}
                               GTest::gtest GTest::gmock GTest::gtest_main)
-        target_compile_definitions(${target}_test PRIVATE
-            TUKOR_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
         gtest_discover_tests(${target}_test DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit TIMEOUT 120)
     endif()
 endfunction()
