@@ -4,6 +4,13 @@
 
 namespace tukor::gl::shaders {
 
+extern const ShaderSource accumulateFrag;
+extern const ShaderSource backgroundFrag;
+extern const ShaderSource backgroundShellVert;
+extern const ShaderSource backgroundVert;
 extern const ShaderSource fullViewportVert;
+extern const ShaderSource presentFrag;
+extern const ShaderSource surfaceFrag;
+extern const ShaderSource surfaceVert;
 
 }  // namespace tukor::gl::shaders

@@ -12,6 +12,8 @@ struct Camera {
     glm::vec3 target{0.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     float verticalFov = 0.69813170f;  // radians; 40 degrees
+
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Orthonormal axes of a camera in the world: right, up, and forward to the target.

@@ -34,6 +34,8 @@ struct RenderOptions {
     int rayBudget = 128;                // rays a camera ray may spend at `exact`
     float weightCutoff = 1e-3f;         // branches lighter than this become one look-up
     int maxDepth = 64;                  // events along one branch
+
+    friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 /// A finished picture and what the renderer counted on the way.

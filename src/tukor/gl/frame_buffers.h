@@ -1,0 +1,50 @@
+// Where frames are drawn and summed: a 4x multisampled half-float picture with depth, its resolved
+// copy, and the sum of all frames so far in 32-bit floats.
+#pragma once
+#include "tukor/gl/handles.h"
+
+namespace tukor::gl {
+
+class FrameBuffers {
+public:
+    FrameBuffers() = default;
+    FrameBuffers(int width, int height);
+
+    [[nodiscard]] int width() const noexcept { return width_; }
+    [[nodiscard]] int height() const noexcept { return height_; }
+
+    /// Binds the picture of the next frame and clears it: multisampled, or one sample a pixel.
+    void beginMultisampled();
+    void beginPlain();
+
+    /// Resolves what was drawn since begin; frame() has it then.
+    void endMultisampled();
+
+    /// Binds the target of the next sum; sum() is the one before until swapSums().
+    void bindNextSum();
+    void swapSums() noexcept { current_ = 1 - current_; }
+
+    [[nodiscard]] const Texture& frame() const noexcept { return frame_; }
+    [[nodiscard]] const Texture& sum() const noexcept { return sums_[current_]; }
+    /// Binds the sum for glReadPixels.
+    void bindSumForReading() const;
+
+private:
+    struct Target {
+        Framebuffer framebuffer;
+        Renderbuffer colour;  // multisampled targets only
+        Renderbuffer depth;
+    };
+    void makeTarget(Target& target, GLsizei samples);
+
+    int width_ = 0;
+    int height_ = 0;
+    int current_ = 0;
+    Texture frame_;
+    Target multisampled_;
+    Target plain_;
+    Texture sums_[2];
+    Framebuffer sumFramebuffers_[2];
+};
+
+}  // namespace tukor::gl

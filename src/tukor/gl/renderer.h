@@ -1,0 +1,126 @@
+// Draws scenes in whatever OpenGL ES 3 or WebGL 2 context is current: frames, summed while nothing
+// changes.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "tukor/environment/environment.h"
+#include "tukor/gl/background_drawer.h"
+#include "tukor/gl/environment_texture.h"
+#include "tukor/gl/frame_buffers.h"
+#include "tukor/gl/single_drawer.h"
+#include "tukor/gl/surface_buffers.h"
+#include "tukor/gl/view.h"
+#include "tukor/image/display.h"
+#include "tukor/scene/render_options.h"
+#include "tukor/scene/scene.h"
+
+namespace tukor::gl {
+
+/// A second way to render, shown right of `splitX` (0 is the left edge of the picture, 1 the
+/// right).
+struct Comparison {
+    float splitX = 0.5f;
+    Fidelity fidelity = Fidelity::exact;
+    FresnelForm fresnel = FresnelForm::exact;
+
+    friend bool operator==(const Comparison&, const Comparison&) = default;
+};
+
+/// Before or after the scene: the same picture; after is less work.
+enum class BackgroundOrder { first, last };
+
+struct FrameOptions {
+    RenderOptions picture;  // `samples` is how many the caller means to accumulate, if it knows
+    std::optional<Comparison> comparison;
+    BackgroundOrder backgroundOrder = BackgroundOrder::last;
+
+    friend bool operator==(const FrameOptions&, const FrameOptions&) = default;
+};
+
+/// How radiance becomes colour on the screen.
+struct DisplayOptions {
+    float exposureStops = 0.0f;
+    Tonemap tonemap = Tonemap::none;
+    glm::vec3 behind{0.18f};  // linear; seen where there is no background
+
+    friend bool operator==(const DisplayOptions&, const DisplayOptions&) = default;
+};
+
+/// A rectangle of the framebuffer that is drawn into, from its bottom-left corner, in pixels.
+struct Viewport {
+    int left = 0;
+    int bottom = 0;
+    int width = 0;
+    int height = 0;
+};
+
+/// Which levels of the environment's texture are made: `single` needs only the finest.
+enum class EnvironmentLevels { finest, all };
+
+/// Belongs to the context that is current when it is made. Every function throws Error for what
+/// OpenGL reports.
+class Renderer {
+public:
+    Renderer() = default;
+
+    void setScene(const Scene& scene);
+    /// The material of one part of the scene; cheap.
+    void setMaterial(int part, const Material& material);
+    void setEnvironment(const Environment& environment,
+                        EnvironmentLevels levels = EnvironmentLevels::all);
+
+    /// Draws one frame and adds it to the picture; begins anew when scene, camera, light or options
+    /// differ from the frame before. A scene and an environment are needed.
+    ///
+    /// Leaves framebuffer 0 bound.
+    void drawFrame(const Camera& camera, const FrameOptions& options);
+
+    /// A window of the picture only: for pictures that are larger than textures.
+    void drawFrame(const Camera& camera, const FrameOptions& options, const PictureWindow& window);
+
+    /// Forgets the frames so far.
+    void resetAccumulation() noexcept {
+        samples_ = 0;
+        frames_ = 0;
+    }
+
+    /// Samples a pixel in the picture so far.
+    [[nodiscard]] int accumulatedSamples() const noexcept { return samples_; }
+
+    /// Shows the picture so far in a viewport of the framebuffer that is bound, of any size.
+    void present(const DisplayOptions& options, const Viewport& viewport);
+
+    /// The picture so far, linear, radiance multiplied by coverage; with coverage as its alpha
+    /// where there is no background. Waits for the GPU.
+    [[nodiscard]] Rendering read();
+
+private:
+    struct Subject {
+        Camera camera;
+        FrameOptions options;
+        PictureWindow window;
+
+        friend bool operator==(const Subject&, const Subject&) = default;
+    };
+
+    void drawLook(Fidelity fidelity, FresnelForm fresnel, const Subject& subject, glm::vec2 jitter,
+                  glm::vec2 footprintMiddle);
+    void accumulate();
+    [[nodiscard]] float radiancePerSum() const;
+
+    Bounds bounds_;
+    std::vector<Material> materials_;
+    SurfaceBuffers surfaces_;
+    EnvironmentTexture environment_;
+    FrameBuffers buffers_;
+    BackgroundDrawer background_;
+    SingleDrawer single_;
+    std::optional<Program> accumulateProgram_;
+    std::optional<Program> presentProgram_;
+    std::optional<Subject> subject_;
+    int samples_ = 0;
+    int frames_ = 0;
+};
+
+}  // namespace tukor::gl
