@@ -2,8 +2,10 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "tukor/base/options.h"
+#include "tukor/image/exr_file.h"
 #include "tukor/image/image.h"
 
 namespace tukor {
@@ -22,10 +24,22 @@ enum class Background { quad, box, dome, none };
 /// Exact Fresnel equations, or the lecture's R0 + (1 - R0)(1 - cos)^5.
 enum class FresnelForm { exact, schlick };
 
+/// What else there is to know of each pixel's centre; a layer of the file beside the radiance.
+enum class AovLayer {
+    depth,     // metres from the eye to the first surface; 0 where there is none
+    normal,    // its shading normal in world space, facing the eye
+    material,  // 1 + the index of its part in the scene; 0 for the background
+    bounces,   // events along the longest branch of the light path
+};
+
 struct RenderOptions {
     int width = 1280;
     int height = 720;
     std::optional<int> samples;  // per pixel; none: the renderer's own choice
+    std::optional<float> error;  // go on until the picture's expected RMSE in 8-bit sRGB is below;
+                                 // `samples` is then the most that a pixel gets (trace only)
+    std::optional<float> timeSeconds;  // stop then, with the picture so far (trace only)
+    std::uint32_t seed = 0;            // another one gives other noise of the same size
     Fidelity fidelity = Fidelity::exact;
     FresnelForm fresnel = FresnelForm::exact;
     Background background = Background::quad;
@@ -34,6 +48,9 @@ struct RenderOptions {
     int rayBudget = 128;                // rays a camera ray may spend at `exact`
     float weightCutoff = 1e-3f;         // branches lighter than this become one look-up
     int maxDepth = 64;                  // events along one branch
+    // Of branches lighter than this one child is followed, by chance; 0: always both (trace only).
+    float splitWeight = 0.0625f;   // 1/16: less costs more rays than it takes noise away
+    std::vector<AovLayer> layers;  // trace only
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
@@ -46,6 +63,9 @@ struct Rendering {
     std::uint64_t inconsistencies = 0;  // surfaces met from a side that the path says it is not on
     std::uint64_t truncated =
         0;  // branches that ended in a look-up because of budget, depth or cutoff
+    double samplesPerPixel = 0.0;    // mean over the picture
+    std::optional<double> error;     // expected RMSE in 8-bit sRGB, where the renderer knows it
+    std::vector<ImageLayer> layers;  // those asked for by RenderOptions::layers, same order
 };
 
 }  // namespace tukor

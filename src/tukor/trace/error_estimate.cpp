@@ -1,0 +1,164 @@
+#include "tukor/trace/error_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tukor::trace {
+
+namespace {
+
+/// A histogram over the binary logarithm of the variance that one more sample would take away.
+constexpr int kBins = 512;
+constexpr float kBinsPerOctave = 8.0f;
+constexpr float kLeastOctave = -48.0f;
+
+int binOf(float worth) {
+    const float octave = std::log2(std::max(worth, 1e-14f));
+    return std::clamp(static_cast<int>((octave - kLeastOctave) * kBinsPerOctave), 0, kBins - 1);
+}
+
+float worthOf(int bin) {
+    return std::exp2((static_cast<float>(bin) + 0.5f) / kBinsPerOctave + kLeastOctave);
+}
+
+/// Sums over 5 values in a row, for every place of a line; fewer at its ends.
+void boxLine(const float* in, float* out, int count, std::size_t stride) {
+    constexpr int kReach = 2;
+    float sum = 0.0f;
+    const auto at = [&](int i) { return in[static_cast<std::size_t>(i) * stride]; };
+    for (int i = 0; i < std::min(kReach, count); ++i) sum += at(i);
+    for (int i = 0; i < count; ++i) {
+        if (i + kReach < count) sum += at(i + kReach);
+        if (i - kReach - 1 >= 0) sum -= at(i - kReach - 1);
+        out[static_cast<std::size_t>(i) * stride] = sum;
+    }
+}
+
+}  // namespace
+
+glm::vec3 srgbCode(glm::vec3 radiance) noexcept {
+    glm::vec3 code;
+    for (int c = 0; c < 3; ++c) {
+        const float x = std::clamp(radiance[c], 0.0f, 1.0f);
+        // Roots instead of a power: within 0.3 of a code, and differences matter here, not codes.
+        const float s1 = std::sqrt(x), s2 = std::sqrt(s1), s3 = std::sqrt(s2);
+        const float curve =
+            0.662002687f * s1 + 0.684122060f * s2 - 0.323583601f * s3 - 0.0225411470f * x;
+        code[c] = 255.0f * (x <= 0.0031308f ? 12.92f * x : curve);
+    }
+    return code;
+}
+
+Accumulation::Accumulation(int w, int h) : width(w), height(h) {
+    const std::size_t count = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+    sums.resize(count);
+    samples.assign(count, 0);
+    halves.assign(count, -1.0f);
+    halvesBefore.assign(count, -1.0f);
+    active.assign(count, 1);
+}
+
+void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t count) noexcept {
+    if (count == 0) return;
+    const auto a = static_cast<float>(samples[pixel]), b = static_cast<float>(count);
+    if (samples[pixel] > 0) {
+        const glm::vec3 step = srgbCode(mean(pixel)) - srgbCode(sum.radiance / b);
+        halvesBefore[pixel] = halves[pixel];
+        halves[pixel] = dot(step, step) / 3.0f * a * b / ((a + b) * (a + b));
+    }
+    sums[pixel].radiance += sum.radiance;
+    sums[pixel].coverage += sum.coverage;
+    samples[pixel] += count;
+}
+
+void ErrorEstimate::smooth(const Accumulation& picture) {
+    const std::size_t count = picture.samples.size();
+    const int w = picture.width, h = picture.height;
+    std::vector<float> rows(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        variance_[i] = std::max(variance_[i], 0.0f);
+    }
+    const auto stride = static_cast<std::size_t>(w);
+    for (int y = 0; y < h; ++y) {
+        const std::size_t first = static_cast<std::size_t>(y) * stride;
+        boxLine(&variance_[first], &rows[first], w, 1);
+    }
+    for (int x = 0; x < w; ++x) {
+        boxLine(&rows[static_cast<std::size_t>(x)], &variance_[static_cast<std::size_t>(x)], h,
+                stride);
+    }
+    for (std::size_t i = 0; i < count; ++i) variance_[i] = std::max(variance_[i], 0.0f) / 25.0f;
+}
+
+void ErrorEstimate::update(const Accumulation& picture) {
+    double now = 0.0, before = 0.0, first = 0.0;
+    for (std::size_t i = 0; i < picture.samples.size(); ++i) {
+        if (!picture.active[i] || picture.halves[i] < 0.0f) continue;
+        first += 1.0;
+        if (picture.halvesBefore[i] < 0.0f) continue;
+        now += picture.halves[i];
+        before += picture.halvesBefore[i];
+    }
+    if (first == 0.0) return;
+    if (before > 0.0 && now > 0.0) decay_ = std::clamp(std::log2(before / now), 1.0, 3.0);
+    const auto scale = static_cast<float>(1.0 / (std::exp2(decay_) - 1.0));
+    const std::size_t count = picture.samples.size();
+    variance_.resize(count, 0.0f);
+    raw_.resize(count, 0.0f);
+    sum_ = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (picture.active[i] && picture.halves[i] >= 0.0f) raw_[i] = picture.halves[i] * scale;
+        variance_[i] = raw_[i];
+        sum_ += raw_[i];
+    }
+    known_ = true;
+    smooth(picture);
+}
+
+std::optional<double> ErrorEstimate::rmse() const noexcept {
+    if (!known_ || variance_.empty()) return std::nullopt;
+    return std::sqrt(sum_ / static_cast<double>(variance_.size()));
+}
+
+bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
+                                 std::uint32_t maxSamples) const {
+    const std::size_t count = picture.samples.size();
+    std::array<double, kBins> variance{};
+    std::vector<std::uint16_t> bins(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float n = static_cast<float>(std::max(picture.samples[i], 1u));
+        const int bin = binOf(variance_[i] / n);
+        bins[i] = static_cast<std::uint16_t>(bin);
+        variance[static_cast<std::size_t>(bin)] += variance_[i];
+    }
+    // The cheapest way to a sum of variances: all pixels are worth the same per sample in the end.
+    const double goal = target * target * static_cast<double>(count);
+    const double power = decay_ / (decay_ + 1.0);
+    int threshold = kBins - 1;
+    for (; threshold > 0; --threshold) {
+        const double least = worthOf(threshold);
+        double left = 0.0;
+        for (int bin = 0; bin < kBins; ++bin) {
+            const double worth = worthOf(bin);
+            left += variance[static_cast<std::size_t>(bin)] *
+                    (worth > least ? std::pow(least / worth, power) : 1.0);
+        }
+        if (left <= goal) break;
+    }
+    // Those that need at least half as many again; if there are none, those that need any.
+    const int margin = static_cast<int>(0.5 * (decay_ + 1.0) * static_cast<double>(kBinsPerOctave));
+    for (const int least : {threshold + margin, threshold, 0}) {
+        std::size_t chosen = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool more =
+                bins[i] >= least && variance_[i] > 0.0f && picture.samples[i] < maxSamples;
+            picture.active[i] = more;
+            chosen += more;
+        }
+        if (chosen > 0) return true;
+    }
+    return false;
+}
+
+}  // namespace tukor::trace

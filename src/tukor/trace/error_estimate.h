@@ -1,0 +1,64 @@
+// How far a picture still is from its limit, and which pixels are worth more samples.
+//
+// Every doubling of a pixel's samples gives two means: of the samples before and of the new ones.
+// For a mean of n samples whose variance falls as n^-p, the expected square of their difference is
+// 4 (2^p - 1) times the variance of the mean of all; p itself shows in how the differences shrink
+// from one doubling to the next. Derivation: docs/notes/adaptive-sampling.md.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tukor/trace/path_pool.h"
+
+namespace tukor::trace {
+
+/// The picture under way: sums of samples and what is known of their error.
+struct Accumulation {
+    Accumulation(int w, int h);
+
+    [[nodiscard]] glm::vec3 mean(std::size_t pixel) const noexcept {
+        return samples[pixel] > 0 ? sums[pixel].radiance / static_cast<float>(samples[pixel])
+                                  : glm::vec3(0.0f);
+    }
+
+    /// Adds `sum`, of `count` new samples, to a pixel.
+    void add(std::size_t pixel, const PixelSum& sum, std::uint32_t count) noexcept;
+
+    int width;
+    int height;
+    std::vector<PixelSum> sums;
+    std::vector<std::uint32_t> samples;
+    std::vector<float> halves;         // squared difference of the last two means, weighted so that
+                                       // it is the variance of the mean for p = 1; -1: not known
+    std::vector<float> halvesBefore;   // the same one doubling before
+    std::vector<std::uint8_t> active;  // whether the last pass was for this pixel
+};
+
+/// 0 to 255 as displays encode it, not rounded; clipped.
+[[nodiscard]] glm::vec3 srgbCode(glm::vec3 radiance) noexcept;
+
+/// The state of a picture's error, in squared 8-bit sRGB codes.
+class ErrorEstimate {
+public:
+    /// Call after each pass over the active pixels. Ignorant until the second sample.
+    void update(const Accumulation& picture);
+
+    /// Expected RMSE of the whole picture.
+    [[nodiscard]] std::optional<double> rmse() const noexcept;
+
+    /// Marks the pixels to double so that the RMSE falls to `target` with the fewest samples;
+    /// false when there is none that may have more.
+    bool chooseActive(Accumulation& picture, double target, std::uint32_t maxSamples) const;
+
+private:
+    void smooth(const Accumulation& picture);
+
+    std::vector<float> raw_;       // variance of every pixel's mean, from its own samples
+    std::vector<float> variance_;  // the same, averaged over its neighbourhood
+    double sum_ = 0.0;
+    double decay_ = 1.5;  // p
+    bool known_ = false;
+};
+
+}  // namespace tukor::trace

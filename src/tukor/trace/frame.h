@@ -1,0 +1,49 @@
+// What all threads share while one picture is traced.
+#pragma once
+#include "tukor/scene/camera.h"
+#include "tukor/scene/render_options.h"
+#include "tukor/trace/environment_map.h"
+#include "tukor/trace/ray_caster.h"
+
+namespace tukor::trace {
+
+/// Camera rays as an affine function of the place in the picture.
+struct RayGenerator {
+    RayGenerator(const Camera& camera, int width, int height) noexcept
+        : eye(camera.eye), corner(rayDirection(camera, width, height, 0.0f, 0.0f)) {
+        const auto w = static_cast<float>(width), h = static_cast<float>(height);
+        perColumn = (rayDirection(camera, width, height, w, 0.0f) - corner) / w;
+        perRow = (rayDirection(camera, width, height, 0.0f, h) - corner) / h;
+    }
+
+    /// Not normalised.
+    [[nodiscard]] glm::vec3 direction(float x, float y) const noexcept {
+        return corner + x * perColumn + y * perRow;
+    }
+
+    glm::vec3 eye;
+    glm::vec3 corner;
+    glm::vec3 perColumn;
+    glm::vec3 perRow;
+};
+
+struct Frame {
+    const SurfaceTable& surfaces;
+    const RayCaster& caster;
+    const EnvironmentMap& environment;
+    RayGenerator camera;
+    transport::TransportSettings settings;
+    std::uint32_t eyeMedia;  // what the eye is inside of
+    bool background;         // false: nothing is seen where the camera ray meets nothing
+    int width;
+    int height;
+    std::uint32_t seed;
+};
+
+/// The media that contain a point, by the surfaces that rays from there cross on their way out.
+[[nodiscard]] std::uint32_t mediaAround(glm::vec3 point, const SurfaceTable& surfaces,
+                                        const RayCaster& caster) noexcept;
+
+[[nodiscard]] transport::TransportSettings transportSettings(const RenderOptions& options) noexcept;
+
+}  // namespace tukor::trace

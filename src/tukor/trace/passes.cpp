@@ -1,0 +1,181 @@
+#include "tukor/trace/passes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tukor/base/parallel.h"
+#include "tukor/trace/sampler.h"
+
+namespace tukor::trace {
+
+namespace {
+
+constexpr int kTile = 16;
+// Camera samples traced together: a tile at 16 samples a pixel; keeps the sums of longer passes in
+// the cache.
+constexpr std::size_t kBatch = 4096;
+
+}  // namespace
+
+Passes::Passes(const Frame& frame, const PassGoals& goals, const Progress& progress)
+    : frame_(frame),
+      goals_(goals),
+      progress_(progress),
+      picture_(frame.width, frame.height),
+      start_(std::chrono::steady_clock::now()) {}
+
+double Passes::elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+std::uint32_t Passes::samplesAfter(std::uint32_t now) const noexcept {
+    return std::min(std::max(2 * now, 1u), goals_.samples);
+}
+
+std::unique_ptr<PathPool> Passes::takePool() {
+    const std::lock_guard lock(mutex_);
+    if (pools_.empty()) return std::make_unique<PathPool>(frame_);
+    std::unique_ptr<PathPool> pool = std::move(pools_.back());
+    pools_.pop_back();
+    return pool;
+}
+
+void Passes::returnPool(std::unique_ptr<PathPool> pool) {
+    const std::lock_guard lock(mutex_);
+    pools_.push_back(std::move(pool));
+}
+
+TraceCounts Passes::counts() const {
+    TraceCounts counts;
+    for (const auto& pool : pools_) counts.add(pool->counts());
+    return counts;
+}
+
+void Passes::report(double fraction) {
+    if (!progress_) return;
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (!lock || elapsed() < lastReport_ + 0.05) return;  // 20 times a second are enough for eyes
+    lastReport_ = elapsed();
+    if (!progress_(static_cast<float>(std::clamp(fraction, 0.0, 1.0)))) stop_ = true;
+}
+
+void Passes::tile(int number) {
+    const int across = (frame_.width + kTile - 1) / kTile;
+    const int left = number % across * kTile, top = number / across * kTile;
+    const int right = std::min(left + kTile, frame_.width);
+    const int bottom = std::min(top + kTile, frame_.height);
+
+    struct Job {
+        std::size_t pixel;
+        int x, y;
+        std::uint32_t from, to;
+    };
+    std::vector<Job> jobs;
+    for (int y = top; y < bottom; ++y) {
+        for (int x = left; x < right; ++x) {
+            const std::size_t pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
+                static_cast<std::size_t>(x);
+            const std::uint32_t from = picture_.samples[pixel];
+            if (picture_.active[pixel] && samplesAfter(from) > from) {
+                jobs.push_back({pixel, x, y, from, samplesAfter(from)});
+            }
+        }
+    }
+    if (jobs.empty()) return;
+
+    std::unique_ptr<PathPool> pool = takePool();
+    std::vector<PixelSum> sums(jobs.size());
+    std::vector<CameraSample> batch;
+    batch.reserve(kBatch);
+    float scale = 1.0f;
+    const auto flush = [&] {
+        pool->trace(batch, scale, sums);
+        batch.clear();
+    };
+    std::uint64_t samples = 0;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const Job& job = jobs[i];
+        const std::uint32_t seed =
+            mixedBits(static_cast<std::uint32_t>(job.pixel) ^ mixedBits(frame_.seed));
+        // Pictures of fixed samples are as sharp as these allow; otherwise at least as four do.
+        const std::uint32_t density =
+            goals_.error || goals_.timeSeconds ? std::max(job.to, 4u) : goals_.samples;
+        const float jobScale = 1.0f / std::sqrt(static_cast<float>(density));
+        if (jobScale != scale && !batch.empty()) flush();
+        scale = jobScale;
+        for (std::uint32_t s = job.from; s < job.to; ++s) {
+            const glm::vec2 place = pixelSample(seed, s);
+            batch.push_back({static_cast<float>(job.x) + place.x,
+                             static_cast<float>(job.y) + place.y, static_cast<int>(i),
+                             mixedBits(seed + s * 0x9e3779b9u)});
+            if (batch.size() == kBatch) flush();
+        }
+        samples += job.to - job.from;
+    }
+    if (!batch.empty()) flush();
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        picture_.add(jobs[i].pixel, sums[i], jobs[i].to - jobs[i].from);
+    }
+    samplesDone_ += samples;
+    returnPool(std::move(pool));
+}
+
+void Passes::pass() {
+    for (std::size_t i = 0; i < picture_.samples.size(); ++i) {
+        if (picture_.active[i]) {
+            samplesWanted_ += samplesAfter(picture_.samples[i]) - picture_.samples[i];
+        }
+    }
+    const std::uint64_t before = samplesDone_;
+    const double span = static_cast<double>(std::max<std::uint64_t>(samplesWanted_ - before, 1));
+    const int across = (frame_.width + kTile - 1) / kTile;
+    const int down = (frame_.height + kTile - 1) / kTile;
+    parallelFor(0, across * down, 1, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            if (stop_) return;
+            if (goals_.timeSeconds && elapsed() > *goals_.timeSeconds) {
+                stop_ = true;
+                return;
+            }
+            tile(i);
+            const double done = static_cast<double>(samplesDone_ - before) / span;
+            report(fractionBefore_ + (fractionAfter_ - fractionBefore_) * done);
+        }
+    });
+    if (!stop_) estimate_.update(picture_);
+}
+
+void Passes::run() {
+    const double all = static_cast<double>(picture_.samples.size()) * goals_.samples;
+    std::uint32_t each = 0;  // samples that every pixel has at least
+    while (!stop_) {
+        fractionBefore_ = fractionAfter_ < 1.0 ? fractionAfter_ : 0.0;
+        const std::optional<double> error = estimate_.rmse();
+        if (each < std::min(2u, goals_.samples) || (!goals_.error && !goals_.timeSeconds)) {
+            if (each >= goals_.samples) break;
+            each = samplesAfter(each);
+        } else {
+            if (goals_.error && error && *error <= *goals_.error) break;
+            // Against the clock: a little better each time.
+            const double target =
+                std::max(goals_.error.value_or(0.0), goals_.error ? 0.0 : *error / 1.5);
+            if (!estimate_.chooseActive(picture_, target, goals_.samples)) break;
+        }
+        if (goals_.error) {
+            // Work grows about as error^-1.5.
+            fractionAfter_ =
+                error ? std::pow(*goals_.error / std::max(*error / 1.6, 1e-6), 1.5) : 0.01;
+        } else {
+            fractionAfter_ = static_cast<double>(picture_.samples.size()) * each / all;
+        }
+        if (goals_.timeSeconds) {
+            fractionAfter_ = std::max(fractionAfter_, elapsed() / *goals_.timeSeconds);
+        }
+        fractionAfter_ = std::clamp(fractionAfter_, fractionBefore_, 0.999);
+        pass();
+    }
+    if (progress_ && !stop_) (void)progress_(1.0f);
+}
+
+}  // namespace tukor::trace

@@ -1,0 +1,167 @@
+#include "tukor/trace/path_pool.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "tukor/trace/rounding.h"
+
+namespace tukor::trace {
+
+namespace {
+
+// Eight packets: enough to keep them full, few enough for the trees to stay in the second-level
+// cache.
+constexpr std::size_t kPaths = 64;
+
+}  // namespace
+
+PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {}
+
+transport::Branch PathPool::cameraBranch(const CameraSample& sample,
+                                         float footprintScale) const noexcept {
+    const glm::vec3 direction = frame_.camera.direction(sample.x, sample.y);
+    transport::Branch ray;
+    ray.origin = frame_.camera.eye;
+    ray.direction = glm::normalize(direction);
+    ray.throughput = glm::vec3(1.0f);
+    ray.footprint = transport::cameraFootprint(direction, frame_.camera.perColumn * footprintScale,
+                                               frame_.camera.perRow * footprintScale);
+    ray.media = frame_.eyeMedia;
+    ray.skip = -1;
+    ray.depth = 0;
+    return ray;
+}
+
+void PathPool::castCameraRays(std::span<const CameraSample> samples, float footprintScale,
+                              std::span<PixelSum> sums) {
+    firstHits_.clear();
+    RayPacket packet;
+    std::array<RayHit, kPacketWidth> hits;
+    for (std::size_t begin = 0; begin < samples.size(); begin += kPacketWidth) {
+        const auto count =
+            static_cast<int>(std::min<std::size_t>(kPacketWidth, samples.size() - begin));
+        for (int i = 0; i < count; ++i) {
+            const CameraSample& s = samples[begin + static_cast<std::size_t>(i)];
+            packet.set(i, frame_.camera.eye, glm::normalize(frame_.camera.direction(s.x, s.y)), -1);
+        }
+        frame_.caster.cast(packet, count, Coherence::rays, hits);
+        for (int i = 0; i < count; ++i) {
+            const auto sample = static_cast<std::uint32_t>(begin) + static_cast<std::uint32_t>(i);
+            const RayHit& hit = hits[static_cast<std::size_t>(i)];
+            if (hit.surface >= 0) {
+                firstHits_.push_back({hit, sample});
+            } else if (frame_.background) {
+                const transport::Branch ray = cameraBranch(samples[sample], footprintScale);
+                sums[static_cast<std::size_t>(samples[sample].target)].radiance +=
+                    frame_.environment.radiance(ray.direction,
+                                                transport::footprintSolidAngle(ray.footprint));
+            }
+        }
+    }
+    counts_.rays += samples.size();
+}
+
+void PathPool::collect(Path& path, const transport::Deposits& deposits) const noexcept {
+    const auto look = [&](const transport::Deposit& deposit) {
+        path.radiance +=
+            deposit.throughput * frame_.environment.radiance(deposit.direction, deposit.solidAngle);
+    };
+    if (deposits.count > 0) look(deposits.first);
+    if (deposits.count > 1) look(deposits.second);
+}
+
+void PathPool::meet(Path& path, RayHit hit) noexcept {
+    const transport::Branch& ray = path.tree.branch;
+    transport::SurfaceHit surface;
+    transport::Encounter met;
+    const auto look = [&] {
+        surface = frame_.surfaces.at(hit);
+        met = transport::encounter(ray, surface);
+    };
+    if (hit.surface < 0 && ray.media != 0u) hit = withoutRounding(frame_, ray, hit);
+    if (hit.surface >= 0) {
+        look();
+        if (!met.consistent) {
+            hit = withoutRounding(frame_, ray, hit);
+            if (hit.surface >= 0) look();
+        }
+    }
+    if (hit.surface < 0) {
+        collect(path, transport::escape(path.tree));
+    } else {
+        collect(path, transport::scatter(path.tree, surface, met, frame_.surfaces.medium(met.from),
+                                         frame_.surfaces.medium(met.to), frame_.settings));
+    }
+}
+
+bool PathPool::wantsRay(Path& path) noexcept {
+    while (path.tree.alive && transport::spent(path.tree, frame_.settings)) {
+        collect(path, transport::cutBranch(path.tree));
+    }
+    return path.tree.alive;
+}
+
+void PathPool::finish(const Path& path, std::span<PixelSum> sums) noexcept {
+    PixelSum& sum = sums[static_cast<std::size_t>(path.target)];
+    sum.radiance += path.radiance;
+    sum.coverage += 1.0f;
+    counts_.rays += static_cast<std::uint64_t>(path.tree.rays - 1);  // its first was counted before
+    counts_.leaks += static_cast<std::uint64_t>(path.tree.leaks);
+    counts_.inconsistencies += static_cast<std::uint64_t>(path.tree.inconsistencies);
+    counts_.truncated += static_cast<std::uint64_t>(path.tree.truncated);
+}
+
+void PathPool::trace(std::span<const CameraSample> samples, float footprintScale,
+                     std::span<PixelSum> sums) {
+    castCameraRays(samples, footprintScale, sums);
+
+    // live[0 .. alive) number the paths under way, the rest of it those that are free.
+    std::array<std::uint8_t, kPaths> live;
+    std::iota(live.begin(), live.end(), std::uint8_t{0});
+    std::size_t alive = 0;
+    std::size_t next = 0;  // of the first hits
+    const auto refill = [&] {
+        while (alive < kPaths && next < firstHits_.size()) {
+            const FirstHit& first = firstHits_[next++];
+            const CameraSample& sample = samples[first.sample];
+            Path& path = paths_[live[alive]];
+            path.tree = transport::startTree(cameraBranch(sample, footprintScale), sample.seed);
+            path.radiance = glm::vec3(0.0f);
+            path.target = sample.target;
+            path.tree.rays = 1;
+            meet(path, first.hit);
+            if (wantsRay(path)) {
+                ++alive;
+            } else {
+                finish(path, sums);
+            }
+        }
+    };
+
+    RayPacket packet;
+    std::array<RayHit, kPacketWidth> hits;
+    for (refill(); alive > 0; refill()) {
+        for (std::size_t begin = 0; begin < alive; begin += kPacketWidth) {
+            const std::size_t count = std::min<std::size_t>(kPacketWidth, alive - begin);
+            for (std::size_t i = 0; i < count; ++i) {
+                transport::Tree& tree = paths_[live[begin + i]].tree;
+                packet.set(static_cast<int>(i), tree.branch.origin, tree.branch.direction,
+                           tree.branch.skip);
+                ++tree.rays;
+            }
+            frame_.caster.cast(packet, static_cast<int>(count), Coherence::none, hits);
+            for (std::size_t i = 0; i < count; ++i) meet(paths_[live[begin + i]], hits[i]);
+        }
+        for (std::size_t i = 0; i < alive;) {
+            if (wantsRay(paths_[live[i]])) {
+                ++i;
+            } else {
+                finish(paths_[live[i]], sums);
+                std::swap(live[i], live[--alive]);
+            }
+        }
+    }
+}
+
+}  // namespace tukor::trace

@@ -1,0 +1,77 @@
+// Many light paths at once: trees in a pool whose rays are cast in full packets.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tukor/trace/frame.h"
+
+namespace tukor::trace {
+
+/// A place in the picture from which light is asked for.
+struct CameraSample {
+    float x;     // pixels from the left edge
+    float y;     // pixels from the top edge
+    int target;  // index of the sum it counts in
+    std::uint32_t seed;
+};
+
+struct PixelSum {
+    glm::vec3 radiance{0.0f};
+    float coverage = 0.0f;  // samples that met a surface
+};
+
+struct TraceCounts {
+    std::uint64_t rays = 0;
+    std::uint64_t leaks = 0;
+    std::uint64_t inconsistencies = 0;
+    std::uint64_t truncated = 0;
+
+    void add(const TraceCounts& other) noexcept {
+        rays += other.rays;
+        leaks += other.leaks;
+        inconsistencies += other.inconsistencies;
+        truncated += other.truncated;
+    }
+};
+
+/// One thread's work space. Results depend on the samples alone, not on what was traced before.
+class PathPool {
+public:
+    explicit PathPool(const Frame& frame);
+
+    /// Adds the light of every sample to its sum. `footprintScale` is the distance of neighbouring
+    /// samples in pixels.
+    void trace(std::span<const CameraSample> samples, float footprintScale,
+               std::span<PixelSum> sums);
+
+    [[nodiscard]] const TraceCounts& counts() const noexcept { return counts_; }
+
+private:
+    struct Path {
+        transport::Tree tree;
+        glm::vec3 radiance;
+        int target;
+    };
+    struct FirstHit {
+        RayHit hit;
+        std::uint32_t sample;
+    };
+
+    void castCameraRays(std::span<const CameraSample> samples, float footprintScale,
+                        std::span<PixelSum> sums);
+    [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
+                                                 float footprintScale) const noexcept;
+    void meet(Path& path, RayHit hit) noexcept;
+    void collect(Path& path, const transport::Deposits& deposits) const noexcept;
+    /// Runs events that need no ray; false when the path has ended.
+    [[nodiscard]] bool wantsRay(Path& path) noexcept;
+    void finish(const Path& path, std::span<PixelSum> sums) noexcept;
+
+    const Frame& frame_;
+    std::vector<Path> paths_;
+    std::vector<FirstHit> firstHits_;
+    TraceCounts counts_;
+};
+
+}  // namespace tukor::trace

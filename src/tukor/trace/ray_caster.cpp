@@ -1,0 +1,139 @@
+#include "tukor/trace/ray_caster.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include "tukor/base/error.h"
+
+namespace tukor::trace {
+
+namespace {
+
+/// Rejects the triangle that the ray leaves: RTCRay::id carries its number.
+void skipOwnTriangle(const RTCFilterFunctionNArguments* args) {
+    const auto first =
+        static_cast<unsigned>(reinterpret_cast<std::uintptr_t>(args->geometryUserPtr));
+    for (unsigned i = 0; i < args->N; ++i) {
+        if (args->valid[i] != -1) continue;
+        const unsigned triangle = first + RTCHitN_primID(args->hit, args->N, i);
+        if (triangle == RTCRayN_id(args->ray, args->N, i)) args->valid[i] = 0;
+    }
+}
+
+constexpr unsigned kNoTriangle = std::numeric_limits<unsigned>::max();  // no surface has 2^32
+
+}  // namespace
+
+struct RayCaster::Embree {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+
+    ~Embree() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    void check(const char* action) const {
+        const RTCError code = rtcGetDeviceError(device);
+        if (code == RTC_ERROR_NONE) return;
+        throw Error(fmt::format("embree: {} failed: {}", action,
+                                code == RTC_ERROR_OUT_OF_MEMORY
+                                    ? std::string("out of memory")
+                                    : fmt::format("error {}", static_cast<int>(code))));
+    }
+
+    void add(const SurfaceTable::Entry& entry) {
+        if (entry.triangles.empty()) return;
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        // Embree reads 16 bytes at a vertex' position: there are 24.
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                   entry.vertices.data(), 0, sizeof(SurfaceTable::Vertex),
+                                   entry.vertices.size());
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                   entry.triangles.data(), 0, sizeof(glm::uvec3),
+                                   entry.triangles.size());
+        rtcSetGeometryUserData(
+            geometry, reinterpret_cast<void*>(static_cast<std::uintptr_t>(entry.firstTriangle)));
+        rtcSetGeometryIntersectFilterFunction(geometry, skipOwnTriangle);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometryByID(scene, geometry, number_);
+        rtcReleaseGeometry(geometry);
+    }
+
+    void addAll(const SurfaceTable& surfaces) {
+        for (const SurfaceTable::Entry& entry : surfaces.entries()) {
+            add(entry);
+            ++number_;
+        }
+    }
+
+private:
+    unsigned number_ = 0;  // that of the surface: empty ones leave a gap
+};
+
+RayCaster::RayCaster(const SurfaceTable& surfaces) : embree_(std::make_unique<Embree>()) {
+    embree_->device = rtcNewDevice(nullptr);
+    if (!embree_->device) throw Error("embree: this processor is not supported");
+    embree_->scene = rtcNewScene(embree_->device);
+    rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
+    embree_->addAll(surfaces);
+    embree_->check("reading the triangles");
+    rtcCommitScene(embree_->scene);
+    embree_->check("building the tree");
+}
+
+RayCaster::~RayCaster() = default;
+
+void RayCaster::cast(const RayPacket& rays, int count, Coherence coherence,
+                     std::array<RayHit, kPacketWidth>& hits) const noexcept {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = coherence == Coherence::rays ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                 : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    RTCRayHit8 packet;
+    alignas(32) int valid[kPacketWidth];
+    static_assert(sizeof rays.originX == sizeof packet.ray.org_x);
+    std::memcpy(packet.ray.org_x, rays.originX.data(), sizeof packet.ray.org_x);
+    std::memcpy(packet.ray.org_y, rays.originY.data(), sizeof packet.ray.org_y);
+    std::memcpy(packet.ray.org_z, rays.originZ.data(), sizeof packet.ray.org_z);
+    std::memcpy(packet.ray.dir_x, rays.directionX.data(), sizeof packet.ray.dir_x);
+    std::memcpy(packet.ray.dir_y, rays.directionY.data(), sizeof packet.ray.dir_y);
+    std::memcpy(packet.ray.dir_z, rays.directionZ.data(), sizeof packet.ray.dir_z);
+    std::memcpy(packet.ray.tnear, rays.beyond.data(), sizeof packet.ray.tnear);
+    std::memcpy(packet.ray.id, rays.skip.data(), sizeof packet.ray.id);  // -1 is kNoTriangle
+    for (int i = 0; i < kPacketWidth; ++i) {
+        valid[i] = i < count ? -1 : 0;
+        packet.ray.tfar[i] = std::numeric_limits<float>::infinity();
+        packet.ray.time[i] = 0.0f;
+        packet.ray.mask[i] = kNoTriangle;
+        packet.ray.flags[i] = 0;
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect8(valid, embree_->scene, &context, &packet);
+    for (int i = 0; i < count; ++i) {
+        hits[static_cast<std::size_t>(i)] = {packet.ray.tfar[i], packet.hit.u[i], packet.hit.v[i],
+                                             static_cast<int>(packet.hit.geomID[i]),
+                                             static_cast<int>(packet.hit.primID[i])};
+    }
+}
+
+RayHit RayCaster::cast(glm::vec3 origin, glm::vec3 direction, int skip,
+                       float beyond) const noexcept {
+    RayPacket packet{};
+    if (beyond > 0.0f) {
+        packet.beyond[0] = std::nextafter(beyond, std::numeric_limits<float>::infinity());
+    }
+    packet.set(0, origin, direction, skip);
+    std::array<RayHit, kPacketWidth> hits;
+    cast(packet, 1, Coherence::none, hits);
+    return hits[0];
+}
+
+}  // namespace tukor::trace

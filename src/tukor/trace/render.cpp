@@ -1,0 +1,105 @@
+#include "tukor/trace/render.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tukor/base/error.h"
+#include "tukor/trace/layers.h"
+#include "tukor/trace/passes.h"
+
+namespace tukor::trace {
+
+namespace {
+
+constexpr std::uint32_t kMostSamples = 1u << 20;  // float sums of more would stop growing
+
+void check(const RenderOptions& options) {
+    const auto pixels = static_cast<std::int64_t>(options.width) * options.height;
+    if (options.width < 1 || options.height < 1 || pixels > (std::int64_t{1} << 30)) {
+        throw Error(fmt::format("{} x {} pixels; a picture has at least 1 and at most 2^30",
+                                options.width, options.height));
+    }
+}
+
+PassGoals goalsOf(const RenderOptions& options) {
+    PassGoals goals{};
+    if (options.samples) {
+        goals.samples = static_cast<std::uint32_t>(
+            std::clamp(*options.samples, 1, static_cast<int>(kMostSamples)));
+    } else {
+        goals.samples = options.error || options.timeSeconds ? kMostSamples : 256;
+    }
+    if (options.error) goals.error = *options.error;
+    if (options.timeSeconds) goals.timeSeconds = *options.timeSeconds;
+    if (!options.samples && !options.error && !options.timeSeconds) goals.error = 1.0;
+    return goals;
+}
+
+Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camera& camera,
+                      const RenderOptions& options, const Progress& progress) {
+    const SurfaceTable surfaces(scene);
+    const RayCaster caster(surfaces);
+    const Frame frame{
+        .surfaces = surfaces,
+        .caster = caster,
+        .environment = map,
+        .camera = RayGenerator(camera, options.width, options.height),
+        .settings = transportSettings(options),
+        .eyeMedia = mediaAround(camera.eye, surfaces, caster),
+        .background = options.background != Background::none,
+        .width = options.width,
+        .height = options.height,
+        .seed = options.seed,
+    };
+    Passes passes(frame, goalsOf(options), progress);
+    passes.run();
+
+    const Accumulation& picture = passes.picture();
+    Rendering rendering;
+    rendering.radiance = Image(options.width, options.height);
+    if (!frame.background) rendering.radiance.alpha.resize(picture.samples.size());
+    double samples = 0.0;
+    for (std::size_t i = 0; i < picture.samples.size(); ++i) {
+        rendering.radiance.pixels()[i] = picture.mean(i);
+        samples += picture.samples[i];
+        if (!frame.background && picture.samples[i] > 0) {
+            rendering.radiance.alpha[i] =
+                picture.sums[i].coverage / static_cast<float>(picture.samples[i]);
+        }
+    }
+    const TraceCounts counts = passes.counts();
+    rendering.rays = counts.rays;
+    rendering.leaks = counts.leaks;
+    rendering.inconsistencies = counts.inconsistencies;
+    rendering.truncated = counts.truncated;
+    rendering.samplesPerPixel = samples / static_cast<double>(picture.samples.size());
+    rendering.error = passes.error();
+    rendering.layers = traceLayers(frame, options.layers);
+    return rendering;
+}
+
+}  // namespace
+
+Rendering render(const Scene& scene, const CubeMap& environment, const Camera& camera,
+                 const RenderOptions& options, const Progress& progress) {
+    check(options);
+    const EnvironmentMap map(environment, options.environmentRotation,
+                             options.environmentIntensity);
+    return renderUnder(map, scene, camera, options, progress);
+}
+
+Rendering render(const Scene& scene, const Image& panorama, const Camera& camera,
+                 const RenderOptions& options, const Progress& progress) {
+    check(options);
+    const EnvironmentMap map(panorama, options.environmentRotation, options.environmentIntensity);
+    return renderUnder(map, scene, camera, options, progress);
+}
+
+Rendering render(const Scene& scene, const Environment& environment, const Camera& camera,
+                 const RenderOptions& options, const Progress& progress) {
+    return environment.panorama ? render(scene, *environment.panorama, camera, options, progress)
+                                : render(scene, environment.radiance, camera, options, progress);
+}
+
+}  // namespace tukor::trace

@@ -1,0 +1,199 @@
+#include "tukor/trace/render.h"
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tukor/base/error.h"
+#include "tukor/base/parallel.h"
+#include "tukor/geometry/shapes.h"
+#include "tukor/geometry/tumbler.h"
+#include "tukor/trace/test_scenes.h"
+
+namespace tukor::trace {
+namespace {
+
+RenderOptions small(int samples) {
+    RenderOptions options;
+    options.width = 48;
+    options.height = 32;
+    options.samples = samples;
+    return options;
+}
+
+/// The largest distance of any channel of any pixel from `value`.
+float mostFrom(const Image& image, float value) {
+    float most = 0.0f;
+    for (const glm::vec3& pixel : image.pixels()) {
+        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(pixel[c] - value));
+    }
+    return most;
+}
+
+TEST(TraceRender, WhiteFurnaceIsOneOnEveryShapeAtEveryBudget) {
+    for (const std::string_view name : shapeNames()) {
+        const Scene scene = sceneOfShape(name, clear(1.5f, 1));
+        for (const int budget : {1, 2, 8, 128}) {
+            RenderOptions options = small(4);
+            options.rayBudget = budget;
+            options.splitWeight = budget == 8 ? 0.0f : 0.0625f;
+            const Rendering r = render(scene, constantCube(1.0f), eyeAt({0.5f, 1, 3.5f}), options);
+            EXPECT_LT(mostFrom(r.radiance, 1.0f), 1e-5f) << name << " at " << budget << " rays";
+            EXPECT_EQ(r.leaks, 0u) << name;
+        }
+    }
+}
+
+TEST(TraceRender, LevelsBelowExactLoseNothingEither) {
+    const Scene scene = sceneOfShape("torus-knot", clear(1.5f, 1));
+    for (const Fidelity fidelity : {Fidelity::single, Fidelity::two}) {
+        RenderOptions options = small(4);
+        options.fidelity = fidelity;
+        const Rendering r = render(scene, constantCube(1.0f), eyeAt({0, 1, 3.5f}), options);
+        EXPECT_LT(mostFrom(r.radiance, 1.0f), 1e-5f);
+    }
+}
+
+TEST(TraceRender, ThreadsDoNotChangeThePicture) {
+    const Scene scene = sceneOfShape("brilliant", clear(2.42f, 1));
+    RenderOptions options = small(16);
+    const auto picture = [&](int threads) {
+        setThreadCount(threads);
+        return render(scene, gradientCube(), eyeAt({0.5f, 1, 3}), options);
+    };
+    for (const std::optional<float> error : {std::optional<float>(), std::optional(1.0f)}) {
+        options.error = error;
+        const Rendering one = picture(1), two = picture(2);
+        setThreadCount(0);
+        EXPECT_EQ(one.rays, two.rays);
+        EXPECT_TRUE(std::equal(one.radiance.pixels().begin(), one.radiance.pixels().end(),
+                               two.radiance.pixels().begin()));
+    }
+}
+
+TEST(TraceRender, SlabAbsorbsExponentially) {
+    // Of index 1, so that nothing else happens to the light.
+    Scene scene = sceneOfShape("brilliant", clear(1.0f, 1));
+    scene.parts[0].mesh = boxMesh({-9, -9, -0.25f}, {9, 9, 0.25f});
+    scene.parts[0].material.sigmaA = {0.3f, 1.0f, 4.0f};
+    RenderOptions options = small(1);
+    options.width = options.height = 1;
+    Camera camera = eyeAt({0, 0, 4});
+    camera.verticalFov = 1e-3f;
+    const glm::vec3 L = render(scene, constantCube(2.0f), camera, options).radiance.at(0, 0);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(L[c], 2.0f * std::exp(-0.5f * scene.parts[0].material.sigmaA[c]), 2e-6f);
+    }
+}
+
+TEST(TraceRender, EyesInsideOfGlassSeeOut) {
+    Scene scene = sceneOfShape("sphere", clear(1.5f, 1));
+    RenderOptions options = small(4);
+    const Rendering r = render(scene, constantCube(1.0f), eyeAt({0.1f, 0.2f, 0.3f}), options);
+    EXPECT_EQ(r.inconsistencies, 0u);
+    EXPECT_EQ(r.leaks, 0u);
+    EXPECT_LT(mostFrom(r.radiance, 1.0f), 1e-5f);
+}
+
+TEST(TraceRender, OpenModelsAreCounted) {
+    Scene scene = sceneOfShape("sphere", clear(1.5f, 1));
+    scene.parts[0].mesh.triangles.resize(scene.parts[0].mesh.triangles.size() / 2);
+    const Rendering r = render(scene, constantCube(1.0f), eyeAt({0, 2, 3}), small(4));
+    EXPECT_GT(r.leaks + r.inconsistencies, 100u);
+}
+
+TEST(TraceRender, NoBackgroundMeansCoverageInAlpha) {
+    RenderOptions options = small(16);
+    options.background = Background::none;
+    const Scene scene = sceneOfShape("sphere", metal());
+    const Rendering r = render(scene, constantCube(1.0f), eyeAt({0, 0, 4}), options);
+    ASSERT_EQ(r.radiance.alpha.size(), r.radiance.pixels().size());
+    EXPECT_EQ(r.radiance.alpha.front(), 0.0f);
+    EXPECT_EQ(r.radiance.at(0, 0), glm::vec3(0.0f));
+    EXPECT_EQ(r.radiance.alpha[16 * 48 + 24], 1.0f);
+    EXPECT_TRUE(
+        render(scene, constantCube(1.0f), eyeAt({0, 0, 4}), small(1)).radiance.alpha.empty());
+}
+
+TEST(TraceRender, RotationIsCounterClockwiseSeenFromAbove) {
+    // What was at -Z, ahead, goes to -X, to the left; a quarter turn brings +X ahead.
+    CubeMap cube(8);
+    for (glm::vec3& texel : cube.texels(CubeFace::posX)) texel = glm::vec3(1.0f, 0.0f, 0.0f);
+    for (glm::vec3& texel : cube.texels(CubeFace::negZ)) texel = glm::vec3(0.0f, 1.0f, 0.0f);
+    RenderOptions options = small(4);
+    const Camera ahead = eyeAt({0, 0, 4});
+    EXPECT_GT(render(Scene{}, cube, ahead, options).radiance.at(24, 16).y, 0.99f);
+    options.environmentRotation = 1.5707963f;
+    options.environmentIntensity = 3.0f;
+    const Image turned = render(Scene{}, cube, ahead, options).radiance;
+    EXPECT_NEAR(turned.at(24, 16).x, 3.0f, 1e-4f);
+}
+
+TEST(TraceRender, StopsWhenToldAndKeepsWhatItHas) {
+    RenderOptions options = small(1024);
+    int calls = 0;
+    const Rendering r = render(sceneOfShape("sphere", metal()), constantCube(1.0f),
+                               eyeAt({0, 0, 4}), options, [&](float fraction) {
+                                   EXPECT_GE(fraction, 0.0f);
+                                   EXPECT_LE(fraction, 1.0f);
+                                   return ++calls < 1;
+                               });
+    EXPECT_EQ(calls, 1);
+    EXPECT_LT(r.samplesPerPixel, 1024.0);
+    options.samples.reset();
+    options.timeSeconds = 0.05f;
+    EXPECT_GT(render(sceneOfShape("sphere", metal()), gradientCube(), eyeAt({0, 0, 4}), options)
+                  .samplesPerPixel,
+              0.9);
+}
+
+TEST(TraceRender, LayersKnowTheCentreOfThePixel) {
+    RenderOptions options = small(1);
+    options.width = options.height = 33;
+    options.layers = {AovLayer::depth, AovLayer::normal, AovLayer::material, AovLayer::bounces};
+    const Rendering r =
+        render(sceneOfShape("sphere", metal()), constantCube(1.0f), eyeAt({0, 0, 4}), options);
+    ASSERT_EQ(r.layers.size(), 4u);
+    EXPECT_EQ(r.layers[0].name, "depth");
+    EXPECT_NEAR(r.layers[0].image.at(16, 16).x, 3.0f, 1e-3f);
+    EXPECT_NEAR(r.layers[1].image.at(16, 16).z, 1.0f, 1e-3f);
+    EXPECT_EQ(r.layers[2].image.at(16, 16).x, 1.0f);
+    EXPECT_EQ(r.layers[3].image.at(16, 16).x, 1.0f);
+    EXPECT_EQ(r.layers[0].image.at(0, 0), glm::vec3(0.0f));
+}
+
+TEST(TraceRender, SaysWhatIsWrongWithTheSize) {
+    RenderOptions options;
+    options.width = 0;
+    try {
+        (void)render(Scene{}, constantCube(1.0f), Camera{}, options);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "0 x 720 pixels; a picture has at least 1 and at most 2^30");
+    }
+}
+
+TEST(TraceRender, ErrorMeansWhatItSays) {
+    // Against 1024 samples: the expected error is within a factor of 1.5 of the true one.
+    const Scene scene = sceneOfShape("torus-knot", clear(1.5f, 1));
+    const Camera camera = eyeAt({0, 1.5f, 3});
+    RenderOptions options = small(1024);
+    options.width = 36;
+    options.height = 24;
+    const Image truth = render(scene, gradientCube(), camera, options).radiance;
+    options.seed = 7;
+    for (const float error : {6.0f}) {
+        options.error = error;
+        const Rendering r = render(scene, gradientCube(), camera, options);
+        const double real = rmse8(r.radiance, truth);
+        ASSERT_TRUE(r.error.has_value());
+        EXPECT_LT(*r.error, error);
+        EXPECT_LT(real, 1.5 * *r.error) << "at " << r.samplesPerPixel << " samples a pixel";
+        EXPECT_GT(real, *r.error / 1.5) << "at " << r.samplesPerPixel << " samples a pixel";
+    }
+}
+
+}  // namespace
+}  // namespace tukor::trace

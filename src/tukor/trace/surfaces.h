@@ -1,0 +1,100 @@
+// The triangles of a scene as the transport wants them: from a hit's barycentric coordinates to a
+// SurfaceHit.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tukor/scene/media.h"
+#include "tukor/scene/scene.h"
+#include "tukor/transport/path_tree.h"
+
+namespace tukor::trace {
+
+/// A mesh with its material, and the media that it parts: bits of transport/media.h.
+struct Surface {
+    const Mesh* mesh;
+    Material material;
+    std::uint32_t inside = 0;
+    std::uint32_t outside = 0;
+};
+
+/// Where a ray met which triangle; `surface` is -1 where it met none.
+struct RayHit {
+    float distance;
+    float u;
+    float v;
+    int surface;
+    int triangle;  // within the surface
+};
+
+/// All surfaces of a scene, by number, and their media. Read-only after construction: share it.
+class SurfaceTable {
+public:
+    /// One surface per part.
+    explicit SurfaceTable(const Scene& scene);
+    /// `media` as in MediaTable. Throws Error when there are more than 2^31 triangles.
+    SurfaceTable(const std::vector<Surface>& surfaces, const std::vector<DielectricMedium>& media);
+
+    struct Vertex {
+        glm::vec3 position;
+        glm::vec3 normal;
+    };
+    struct Entry {
+        std::vector<Vertex> vertices;
+        std::vector<glm::uvec3> triangles;
+        Material material;
+        std::uint32_t inside;
+        std::uint32_t outside;
+        int firstTriangle;  // number of its first triangle among all
+    };
+    [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
+    [[nodiscard]] const Bounds& bounds() const noexcept { return bounds_; }
+
+    /// By its number, or transport::kVacuum.
+    [[nodiscard]] const transport::Medium& medium(int number) const noexcept {
+        return media_[static_cast<std::size_t>(number + 1)];
+    }
+
+    /// The number of the triangle that was hit, among all of the table.
+    [[nodiscard]] int number(const RayHit& hit) const noexcept {
+        return entries_[static_cast<std::size_t>(hit.surface)].firstTriangle + hit.triangle;
+    }
+
+    /// The centre of gravity of a triangle by its number.
+    [[nodiscard]] glm::vec3 centre(int number) const noexcept;
+
+    /// `hit` must be one.
+    [[nodiscard]] transport::SurfaceHit at(const RayHit& hit) const noexcept {
+        const Entry& entry = entries_[static_cast<std::size_t>(hit.surface)];
+        const glm::uvec3 t = entry.triangles[static_cast<std::size_t>(hit.triangle)];
+        const Vertex& a = entry.vertices[t.x];
+        const Vertex& b = entry.vertices[t.y];
+        const Vertex& c = entry.vertices[t.z];
+        transport::SurfaceHit s;
+        s.distance = hit.distance;
+        s.e1 = b.position - a.position;
+        s.e2 = c.position - a.position;
+        s.position = a.position + hit.u * s.e1 + hit.v * s.e2;
+        s.normalE1 = b.normal - a.normal;
+        s.normalE2 = c.normal - a.normal;
+        s.normal = a.normal + hit.u * s.normalE1 + hit.v * s.normalE2;
+        s.triangle = entry.firstTriangle + hit.triangle;
+        s.kind = static_cast<int>(entry.material.kind);
+        s.tint = entry.material.tint;
+        s.eta = entry.material.eta;
+        s.k = entry.material.k;
+        s.inside = entry.inside;
+        s.outside = entry.outside;
+        return s;
+    }
+
+private:
+    SurfaceTable(const Scene& scene, const MediaTable& table);
+
+    std::vector<Entry> entries_;
+    std::array<transport::Medium, kMaxMedia + 1> media_;  // vacuum first
+    Bounds bounds_;
+};
+
+}  // namespace tukor::trace
