@@ -30,7 +30,7 @@ THIRD_PARTY = [
     (r"(oneapi/)?tbb/", "src/tukor/base/parallel.cpp src/tukor/trace"),
     (r"embree\d*/", "src/tukor/trace src/tukor/geometry/bvh_embree_test.cpp"),
     (r"(OpenEXR|Imath)/", "src/tukor/image"),
-    (r"(png|spng|jpeglib|jerror|turbojpeg|libdeflate|zlib)\.h$", "src/tukor/image"),
+    (r"(png|spng|jpeglib|jerror|turbojpeg|libdeflate|zlib|zstd)\.h$", "src/tukor/image"),
     (r"tiny_gltf\.h$", "src/tukor/scene"),
     (r"assimp/", "src/tukor/scene"),
     (r"nlohmann/", "src/tukor/scene src/tukor/app apps src/tukor/image bench"),

@@ -9,6 +9,7 @@
 #include "tukor/image/jpeg_file.h"
 #include "tukor/image/png_file.h"
 #include "tukor/image/radiance_file.h"
+#include "tukor/image/texture_file.h"
 
 namespace tukor {
 
@@ -27,6 +28,14 @@ std::string opening(std::span<const std::byte> bytes) {
     return text;
 }
 
+/// The full-size picture of a texture that is not a cube map.
+Image decodePicture(std::span<const std::byte> bytes, std::string_view name) {
+    TextureFile texture = decodeTexture(bytes, name);
+    if (texture.faces != 1)
+        throw Error(fmt::format("{}: a cube map; expected a single picture", name));
+    return std::move(texture.images[0]);
+}
+
 }  // namespace
 
 Image decodeImage(std::span<const std::byte> bytes, std::string_view name) {
@@ -34,6 +43,7 @@ Image decodeImage(std::span<const std::byte> bytes, std::string_view name) {
     if (isRadiance(bytes)) return decodeRadiance(bytes, name);
     if (isPng(bytes)) return decodePng(bytes, name);
     if (isJpeg(bytes)) return decodeJpeg(bytes, name);
+    if (isTexture(bytes)) return decodePicture(bytes, name);
     throw Error(fmt::format(
         "{}: {}; expected an OpenEXR, Radiance (.hdr), PNG or JPEG image", name,
         bytes.empty() ? "is empty"
