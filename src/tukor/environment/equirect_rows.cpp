@@ -5,14 +5,15 @@
 #include <cstring>
 #include <numbers>
 
+#include "tukor/environment/simd.h"
+
 namespace tukor {
 
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// Eight samples at once; spelled out, since compilers give up on the selections below.
-using Float8 = float __attribute__((vector_size(32)));
+// Eight samples at once, spelled out: compilers give up on the selections below.
 
 inline Float8 absolute(Float8 x) {
     return x < 0.0f ? -x : x;

@@ -1,0 +1,71 @@
+#include "tukor/environment/prefilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tukor/base/error.h"
+#include "tukor/environment/equirect.h"
+#include "tukor/environment/local_gather.h"
+
+namespace tukor {
+
+namespace {
+
+/// Sharper lobes than this need degrees beyond kMaxDegree.
+constexpr double kLeastSpectralAlpha = 6.0 / kMaxDegree;
+
+CubeMap convolved(const Image& panorama, const Spectrum& spectrum, const Lobe& lobe, int faceSize) {
+    if (lobe.shape == LobeShape::ggx && lobe.alpha < kLeastSpectralAlpha)
+        return gatheredCube(panorama, lobe, faceSize);
+    return cubeFromSpectrum(
+        spectrum, lobeFactors(lobe, std::min(lobeDegree(lobe), spectrum.degree())), faceSize);
+}
+
+}  // namespace
+
+std::vector<double> chainAlphas(const ChainOptions& options) {
+    std::vector<double> alphas;
+    for (int level = 0; level < options.levels; ++level) {
+        const double x =
+            options.levels > 1 ? static_cast<double>(level) / (options.levels - 1) : 0.0;
+        const double roughness =
+            options.scale == RoughnessScale::filament ? 1.0 - std::sqrt(1.0 - x) : x;
+        alphas.push_back(roughness * roughness);
+    }
+    return alphas;
+}
+
+PrefilteredChain prefilteredChain(const Image& panorama, const ChainOptions& options,
+                                  const Progress& progress) {
+    TUKOR_ASSERT(options.levels >= 1 && options.faceSize >> (options.levels - 1) >= 1);
+    PrefilteredChain chain;
+    chain.alphas = chainAlphas(options);
+    // A sheen of no roughness has no lobe: the sharpest that makes sense stands for it.
+    if (options.shape == LobeShape::charlie) chain.alphas[0] = std::max(chain.alphas[0], 0.01);
+    int degree = 0;
+    for (const double alpha : chain.alphas)
+        if (alpha >= kLeastSpectralAlpha)
+            degree = std::max(degree, lobeDegree({options.shape, alpha}));
+    const auto proceed = [&](double done) {
+        return !progress || progress(static_cast<float>(done));
+    };
+    if (!proceed(0.0)) return {};
+    const Spectrum spectrum = spectrumOf(panorama, degree);
+    for (int level = 0; level < options.levels; ++level) {
+        if (!proceed(0.5 + 0.5 * level / options.levels)) return {};
+        const int faceSize = options.faceSize >> level;
+        const double alpha = chain.alphas[static_cast<std::size_t>(level)];
+        chain.levels.push_back(
+            alpha == 0.0 ? cubeFromEquirect(panorama, faceSize)
+                         : convolved(panorama, spectrum, {options.shape, alpha}, faceSize));
+    }
+    proceed(1.0);
+    return chain;
+}
+
+CubeMap blurredCube(const Image& panorama, const Lobe& lobe, int faceSize) {
+    const bool sharp = lobe.shape == LobeShape::ggx && lobe.alpha < kLeastSpectralAlpha;
+    return convolved(panorama, spectrumOf(panorama, sharp ? 0 : lobeDegree(lobe)), lobe, faceSize);
+}
+
+}  // namespace tukor
