@@ -5,10 +5,12 @@ usage: cli_test.py PROGRAM [NAME...]    NAME: only the tests whose names contain
 """
 import json
 import os
+import signal
 import struct
 import subprocess
 import sys
 import tempfile
+import time
 import zlib
 
 PROGRAM = os.path.abspath(sys.argv[1])
@@ -49,7 +51,7 @@ def write_png(path, width, height, pixel):
 
 def test_help_teaches(folder):
     out, _ = run("--help")
-    for word in ("Usage: tukor COMMAND", "materials", "compare", "Examples", "--version"):
+    for word in ("Usage: tukor COMMAND", "render", "view", "materials", "compare", "Examples", "--version"):
         assert word in out, word
     out, _ = run("compare", "--help")
     assert "Usage: tukor compare A B [options]" in out and "--heat-map OUT" in out, out
@@ -100,6 +102,122 @@ def test_compare(folder):
     fails("compare", a, os.path.join(folder, "none.png"), says="none.png")
     fails("compare", a, b, "--heat-map", "heat.bmp", says="heat.bmp")
     fails("compare", a, b, "--max-rmse", "many", says="--max-rmse: 'many' is not a number", status=2)
+
+
+def small(*arguments, out):
+    """A picture that takes no time."""
+    return run("render", *arguments, "--size", "64x36", "--samples", "4", "-o", out)
+
+
+def test_render_help(folder):
+    out, _ = run("render", "--help")
+    for word in ("Usage: tukor render MODEL... [options] -o OUT", "--fidelity single|double|exact", "(default exact)",
+                 "-o, --output OUT", "Examples", "torus-knot", "--eye X,Y,Z"):
+        assert word in out, word
+    assert max(len(line) for line in out.splitlines()) <= 100
+
+
+def test_render_usage(folder):
+    fails("render", says="MODEL: is missing", status=2)
+    fails("render", "sphere", says="-o OUT: is missing", status=2)
+    fails("render", "sphere", "--colour", "red", "-o", "a.png", says="unknown option --colour", status=2)
+    fails("render", "sphere", "--enviroment", "sky", says="unknown option --enviroment; did you mean --environment?",
+          status=2)
+    for flag, value, says in (
+            ("--eye", "1,2", "--eye: '1,2' is not a vector; X,Y,Z expected, as in 0,1.5,-4"),
+            ("--eye", "0,nan,0", "--eye: 'nan' is not a number"),
+            ("--eye", "0,1e9,0", "--eye: 1000000000 is out of range; -1000000 to 1000000 expected"),
+            ("--size", "640", "--size: '640' is not a size; WxH expected, as in 1280x720"),
+            ("--size", "0x10", "--size: 0 is out of range; 1 to 16384 expected"),
+            ("--size", "16384x16384", "at most 100 million expected"),
+            ("--fov", "180", "--fov: 180 is out of range; 0.1 to 175 expected"),
+            ("--samples", "0", "--samples: 0 is out of range; 1 to 65536 expected"),
+            ("--samples", "2.5", "--samples: '2.5' is not a whole number"),
+            ("--fidelity", "exat", "--fidelity: 'exat' is unknown; did you mean exact? known are: single, double, exact"),
+            ("--tonemap", "aces2", "--tonemap: 'aces2' is unknown; did you mean aces?"),
+            ("--environment", "", "--environment: is empty"),
+    ):
+        fails("render", "sphere", flag, value, "-o", "a.png", says=says, status=2)
+    fails("render", "sphere", "-o", "a.png", "--fov", says="--fov", status=2)
+
+
+def test_render_errors(folder):
+    here = lambda name: os.path.join(folder, name)
+    fails("render", "sphere", "-o", here("a.bmp"), says="a.bmp")
+    fails("render", "sphere", "-o", here("a"), says=".png")
+    fails("render", "sphere", "-o", here("none/a.png"), says=f"there is no folder {folder}/none")
+    os.mkdir(here("folder.png"))
+    fails("render", "sphere", "-o", here("folder.png"), says="is a folder; a file name expected")
+    fails("render", "sphere", "-o", "/proc/a.png", says="/proc/a.png: cannot write into /proc")
+    out = ("-o", here("a.png"))
+    fails("render", "none.obj", *out, says="none.obj")
+    fails("render", "spere", *out, says="spere")
+    fails("render", "sphere", "--material", "glas", *out, says="did you mean 'glass'")
+    fails("render", "sphere", "--material", "lid=glass", *out, says="lid")
+    fails("render", "sphere", "--environment", "none.hdr", *out, says="none.hdr")
+    fails("render", "sphere", "--environment", "stdio", *out, says="stdio")
+    fails("render", "sphere", "--camera", "front", *out, says="camera 'front': the model has no cameras")
+    fails("render", "sphere", "--eye", "1,2,3", "--target", "1,2,3", *out, says="eye and target are both 1,2,3")
+    fails("render", "sphere", "--up", "0,0,0", *out, says="up is 0,0,0")
+    for name, content in (("a.obj", b"not a model"), ("b.glb", b"glTF\2\0\0\0"), ("c.stl", b""), ("d.ply", b"ply\n")):
+        with open(here(name), "wb") as file:
+            file.write(content)
+        fails("render", here(name), *out, says=name)
+    with open(here("sky.hdr"), "wb") as file:
+        file.write(b"#?RADIANCE\n\n-Y 2000000000 +X 2000000000\n")
+    fails("render", "sphere", "--environment", here("sky.hdr"), *out, says="sky.hdr")
+    assert not os.path.exists(here("a.png"))
+    assert os.listdir(folder) and not any(name.startswith(".tukor") for name in os.listdir(folder))
+
+
+def test_render_writes_every_format(folder):
+    for name, magic in (("a.png", b"\x89PNG"), ("a.jpg", b"\xff\xd8"), ("a.exr", b"\x76\x2f\x31\x01"),
+                        ("a.hdr", b"#?RADIANCE")):
+        out, err = small("sphere", "--material", "glass", "--eye", "-1,0,4", "--target", "-.5,0,0",
+                         out=os.path.join(folder, name))
+        assert out == "" and err == "", (out, err)
+        with open(os.path.join(folder, name), "rb") as file:
+            content = file.read()
+        assert content.startswith(magic), name
+        if name != "a.jpg":
+            assert b"tukor render sphere --material glass --eye -1,0,4" in content, f"{name} has no command line"
+    run("compare", os.path.join(folder, "a.exr"), os.path.join(folder, "a.hdr"), "--max-rmse", "1")
+
+
+def test_render_merges_models(folder):
+    one, both, again = (os.path.join(folder, name) for name in ("one.exr", "both.exr", "again.exr"))
+    view = ("--eye", "0,0,6", "--target", "0,0,0", "--fidelity", "single")
+    small("torus-knot", *view, out=one)
+    small("torus-knot", "sphere", *view, "--material", "torus*=silver", out=both)
+    run("compare", one, both, "--max-rmse", "1", status=1)
+    small("torus-knot", *view, out=again)
+    run("compare", one, again, "--max-rmse", "0")
+
+
+def test_print_options(folder):
+    out, _ = run("render", "sphere", "--eye", "-1,0,4", "--samples", "8", "--print-options")
+    options = json.loads(out)
+    assert options["model"] == ["sphere"] and options["eye"] == [-1, 0, 4] and options["samples"] == 8
+    assert options["target"] is None and options["fidelity"] == "exact" and options["size"] == "1280x720"
+
+
+def test_interrupt_keeps_the_picture(folder):
+    out = os.path.join(folder, "a.png")
+    process = subprocess.Popen([PROGRAM, "render", "torus-knot", "--size", "640x360", "--samples", "65536", "-o", out],
+                               stderr=subprocess.PIPE, text=True)
+    time.sleep(3)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 130, (process.returncode, err)
+    assert "the picture so far is " + out in err, err
+    assert os.path.getsize(out) > 1000
+
+
+def test_view_without_display(folder):
+    environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    result = subprocess.run([PROGRAM, "view", "sphere"], capture_output=True, text=True, env=environment, timeout=60)
+    assert result.returncode == 1, result
+    assert result.stderr.startswith("tukor: no display") and "`tukor render` needs none" in result.stderr, result.stderr
 
 
 def test_options_page(folder):

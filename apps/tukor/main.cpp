@@ -20,12 +20,15 @@ int run(int argc, const char* const* argv) {
     program.set_version_flag("--version", "tukor " + versionText(), "the version and the commit");
     program.footer(
         "Examples\n"
-        "  tukor compare a.exr b.exr\n"
+        "  tukor render sphere --material glass -o glass.png\n"
+        "  tukor view watch.glb --environment loft.exr\n"
         "  tukor materials");
     bool markdown = false;
     program.add_flag("--markdown-options", markdown)->group("");  // for docs/options.md
 
     Action action;
+    addRenderCommand(program, action);
+    addViewCommand(program, action);
     addMaterialsCommand(program, action);
     addCompareCommand(program, action);
 

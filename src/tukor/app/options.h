@@ -56,6 +56,7 @@ struct LightOptions {
     std::string environment = "studio";
     float rotationDegrees = 0.0f;
     float intensity = 1.0f;
+    std::optional<int> faceSize;  // texels per edge of its cube map; none: by its resolution
     Background background = Background::quad;
 
     friend bool operator==(const LightOptions&, const LightOptions&) = default;

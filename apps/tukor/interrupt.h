@@ -1,0 +1,17 @@
+// Ctrl-C as a request: the first one asks the work to stop, the second one ends the program.
+#pragma once
+
+namespace tukor {
+
+/// While it lives, the first SIGINT or SIGTERM is remembered instead of ending the program.
+class InterruptWatch {
+public:
+    InterruptWatch();
+    ~InterruptWatch();
+    InterruptWatch(const InterruptWatch&) = delete;
+    InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+    [[nodiscard]] static bool interrupted() noexcept;
+};
+
+}  // namespace tukor

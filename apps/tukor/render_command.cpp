@@ -1,0 +1,93 @@
+// `tukor render`: a picture into a file.
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "command.h"
+#include "interrupt.h"
+#include "option_parser.h"
+#include "progress_bar.h"
+#include "tukor/app/option_table.h"
+#include "tukor/app/picture.h"
+#include "tukor/app/session.h"
+#include "usage.h"
+
+namespace tukor {
+namespace {
+
+struct RenderArguments {
+    SessionOptions session;
+    std::string out;
+    bool quiet = false;
+    bool printOptions = false;
+};
+
+int render(const RenderArguments& arguments) {
+    if (arguments.printOptions) {
+        fmt::print("{}\n", jsonFromOptions(arguments.session));
+        return 0;
+    }
+    requireWritablePicture(arguments.out);  // before any time is spent
+    const Session session(arguments.session);
+    if (!arguments.quiet) {
+        for (const std::string& warning : session.warnings()) warn(warning);
+    }
+    const InterruptWatch watch;
+    float finished = 0.0f;
+    Rendering rendering;
+    {
+        ProgressBar bar(arguments.quiet ? ProgressBar::Loudness::quiet
+                                        : ProgressBar::Loudness::terminal);
+        rendering = renderPicture(session, [&](float fraction) {
+            finished = fraction;
+            bar.show(fraction);
+            return !InterruptWatch::interrupted();
+        });
+    }
+    savePicture(arguments.out, rendering, session);
+    if (!arguments.quiet) {
+        for (const std::string& warning : warningsOf(rendering)) warn(warning);
+    }
+    if (InterruptWatch::interrupted()) {
+        fmt::print(stderr, "tukor: stopped at {:.0f} %; the picture so far is {}\n",
+                   100.0f * finished, arguments.out);
+        return kExitInterrupted;
+    }
+    return 0;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Action& action) {
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* command = program.add_subcommand("render", "a picture of models into a file");
+    addSessionOptions(*command, arguments->session);
+    command
+        ->add_option("-o,--output", arguments->out,
+                     ".png or .jpg (tone mapped, sRGB), .exr or .hdr (linear radiance)")
+        ->type_name("OUT")
+        ->group("Output");
+    command->add_flag("--quiet", arguments->quiet, "no progress and no warnings")->group("Output");
+    command
+        ->add_flag("--print-options", arguments->printOptions,
+                   "print every option as JSON and render nothing")
+        ->group("Output");
+    command->footer(
+        "Examples\n"
+        "  tukor render sphere --material glass --environment sky -o glass.png\n"
+        "  tukor render ring.glb --material 'stone*=diamond' --material 'band=gold' -o ring.jpg\n"
+        "  tukor render torus-knot --eye -1,0,4 --fov 30 --size 640x360 --samples 64 -o knot.exr\n"
+        "  tukor render sphere --fidelity single -o textbook.png   (one reflection, one "
+        "refraction)");
+    command->callback([&action, arguments] {
+        if (arguments->session.subject.models.empty()) {
+            throw CLI::ValidationError("MODEL", "is missing; a file or a built-in shape expected");
+        }
+        if (arguments->out.empty() && !arguments->printOptions) {
+            throw CLI::ValidationError("-o OUT", "is missing; where should the picture go?");
+        }
+        action = [arguments] { return render(*arguments); };
+    });
+}
+
+}  // namespace tukor

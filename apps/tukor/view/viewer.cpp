@@ -1,0 +1,254 @@
+#include "view/viewer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include "tukor/app/option_table.h"
+#include "tukor/app/picture.h"
+#include "tukor/app/session.h"
+#include "tukor/base/error.h"
+#include "tukor/base/file.h"
+#include "tukor/gl/renderer.h"
+#include "view/hand.h"
+#include "view/notices.h"
+#include "view/panel.h"
+#include "view/window.h"
+
+namespace tukor {
+namespace {
+
+constexpr int kSamplesAtRest = 64;  // then the picture is finished and the window sleeps
+constexpr int kSettlingFrames = 3;  // ImGui shows the effect of an event one frame later
+
+class Viewer {
+public:
+    explicit Viewer(const SessionOptions& options)
+        : session_(options),
+          wanted_(options),
+          window_(options.quality.size.width, options.quality.size.height, "tukor") {
+        for (const std::string& warning : session_.warnings()) {
+            notices_.add(Notices::Kind::news, warning);
+        }
+    }
+
+    int run() {
+        while (!window_.closing()) {
+            window_.handleEvents(settling_ > 0 || !finished(), notices_.secondsToNextChange());
+            settling_ = finished() && settling_ > 0 ? settling_ - 1 : kSettlingFrames;
+            frame();
+        }
+        return 0;
+    }
+
+private:
+    [[nodiscard]] int samplesWanted() const {
+        return session_.options().quality.samples.value_or(kSamplesAtRest);
+    }
+
+    [[nodiscard]] bool finished() const {
+        return renderer_.accumulatedSamples() >= samplesWanted();
+    }
+
+    void frame() {
+        const glm::ivec2 size = window_.framebufferSize();
+        window_.beginFrame();
+        takeDrops();
+        readInput();
+        wanted_.quality.size = {std::max(1, size.x), std::max(1, size.y)};
+        const PanelRequests requests = showPanels();
+        carryOut();
+        if (size.x > 0 && size.y > 0) draw(size);  // not while minimised
+        serve(requests);
+        window_.endFrame();
+    }
+
+    void readInput() {
+        const HandMovement movement = hand_.move(window_, session_, comparison_);
+        if (movement.camera) {
+            wanted_.camera = optionsFromCamera(*movement.camera, wanted_.camera);
+        }
+        if (movement.frameModel) frameModel();
+    }
+
+    void frameModel() {
+        const auto fov = wanted_.camera.fovDegrees;
+        wanted_.camera = {};
+        wanted_.camera.fovDegrees = fov;
+    }
+
+    PanelRequests showPanels() {
+        PanelRequests requests;
+        const ImGuiIO& io = ImGui::GetIO();
+        if (!io.WantTextInput && window_.pressed(Key::tab)) panelShown_ = !panelShown_;
+        if (panelShown_) {
+            requests = panel_.show(session_, wanted_, comparison_,
+                                   {renderer_.accumulatedSamples(), samplesWanted(), frameTime_});
+        }
+        if (comparison_) showDivider();
+        notices_.show();
+        requests.screenshot = requests.screenshot || window_.pressed(Key::f12);
+        requests.copyCommand = requests.copyCommand ||
+                               (!io.WantTextInput && io.KeyCtrl && ImGui::IsKeyPressed('C', false));
+        if (requests.frameModel) frameModel();
+        return requests;
+    }
+
+    void showDivider() const {
+        ImDrawList& list = *ImGui::GetBackgroundDrawList();
+        const ImVec2 area = ImGui::GetIO().DisplaySize;
+        const float x = comparison_->splitX * area.x;
+        list.AddLine({x, 0.0f}, {x, area.y}, IM_COL32(255, 255, 255, 200), 1.5f);
+        const auto label = [](Fidelity fidelity, FresnelForm fresnel) {
+            std::string text;
+            for (const auto& [value, spelling] : kFidelitySpellings) {
+                if (value == fidelity) text += spelling;
+            }
+            return text + (fresnel == FresnelForm::exact ? ", Fresnel's equations"
+                                                         : ", Schlick's approximation");
+        };
+        const QualityOptions& quality = session_.options().quality;
+        const float unit = ImGui::GetFontSize();
+        const auto write = [&](float left, const std::string& text) {
+            const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+            const float y = area.y - 2.0f * unit;
+            list.AddRectFilled({left - 0.3f * unit, y - 0.2f * unit},
+                               {left + size.x + 0.3f * unit, y + size.y + 0.2f * unit},
+                               IM_COL32(0, 0, 0, 150), 3.0f);
+            list.AddText({left, y}, IM_COL32_WHITE, text.c_str());
+        };
+        const std::string here = label(quality.fidelity, quality.fresnel);
+        write(x - unit - ImGui::CalcTextSize(here.c_str()).x, here);
+        write(x + unit, label(comparison_->fidelity, comparison_->fresnel));
+    }
+
+    void takeDrops() {
+        static const std::set<std::string> kPictures = {".hdr", ".exr", ".png", ".jpg", ".jpeg"};
+        std::vector<std::string> models;
+        for (std::string& path : window_.takeDroppedFiles()) {
+            if (kPictures.count(lowerExtension(path)) != 0) {
+                wanted_.light.environment = std::move(path);
+            } else {
+                models.push_back(std::move(path));
+            }
+        }
+        if (models.empty()) return;
+        wanted_.subject.models = std::move(models);
+        std::erase_if(wanted_.subject.materials,
+                      [](const std::string& text) { return text.find('=') != text.npos; });
+        wanted_.camera = {};
+    }
+
+    /// Makes the session what is wanted; what cannot be had is said, and nothing is lost.
+    void carryOut() {
+        if (wanted_ == session_.options()) return;
+        try {
+            session_.apply(wanted_);
+        } catch (const Error& error) {
+            notices_.add(Notices::Kind::trouble, error.what());
+            const PictureSize size = wanted_.quality.size;
+            wanted_ = session_.options();
+            wanted_.quality.size = size;
+        }
+    }
+
+    void draw(glm::ivec2 size) {
+        if (sceneSeen_ != session_.sceneRevision()) {
+            const bool another = sceneSeen_ != 0;
+            renderer_.setScene(session_.scene());
+            sceneSeen_ = session_.sceneRevision();
+            window_.setTitle("tukor: " + session_.options().subject.models.front());
+            if (another) sayWarnings();
+            materialsSeen_.clear();
+        }
+        if (environmentSeen_ != session_.environmentRevision()) {
+            renderer_.setEnvironment(session_.environment());
+            environmentSeen_ = session_.environmentRevision();
+        }
+        updateMaterials();
+
+        gl::FrameOptions frame;
+        frame.picture = session_.renderOptions();
+        frame.picture.width = size.x;
+        frame.picture.height = size.y;
+        frame.picture.samples = samplesWanted();
+        frame.comparison = comparison_;
+        const auto start = std::chrono::steady_clock::now();
+        if (frame != frameSeen_ || !finished() || !cameraSeen_ ||
+            *cameraSeen_ != session_.camera()) {
+            renderer_.drawFrame(session_.camera(), frame);
+            frameSeen_ = frame;
+            cameraSeen_ = session_.camera();
+            const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
+            frameTime_ = gone.count();
+        }
+        gl::DisplayOptions display;
+        display.exposureStops = session_.options().develop.exposureStops;
+        display.tonemap = session_.options().develop.tonemap;
+        renderer_.present(display, {0, 0, size.x, size.y});
+    }
+
+    void updateMaterials() {
+        const auto& parts = session_.scene().parts;
+        const bool all = materialsSeen_.size() != parts.size();
+        if (all) materialsSeen_.resize(parts.size());
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (!all && materialsSeen_[i] == parts[i].material) continue;
+            materialsSeen_[i] = parts[i].material;
+            renderer_.setMaterial(static_cast<int>(i), parts[i].material);
+        }
+    }
+
+    void sayWarnings() {
+        for (const std::string& warning : session_.warnings()) {
+            notices_.add(Notices::Kind::news, warning);
+        }
+    }
+
+    void serve(const PanelRequests& requests) {
+        if (requests.copyCommand) {
+            window_.setClipboard(commandLine("tukor render", session_.options()) +
+                                 " -o picture.png");
+            notices_.add(Notices::Kind::news, "the command is in the clipboard");
+        }
+        if (!requests.screenshot) return;
+        try {
+            const std::filesystem::path path = freshPicturePath(std::filesystem::current_path());
+            savePicture(path, renderer_.read(), session_);
+            notices_.add(Notices::Kind::news, "saved " + path.string());
+        } catch (const Error& error) {
+            notices_.add(Notices::Kind::trouble, error.what());
+        }
+    }
+
+    Session session_;        // what is shown
+    SessionOptions wanted_;  // what the widgets and the hand ask for
+    Window window_;
+    gl::Renderer renderer_;  // after the window: its objects live in the window's context
+    Panel panel_;
+    Hand hand_;
+    Notices notices_;
+    std::optional<gl::Comparison> comparison_;
+    std::vector<Material> materialsSeen_;
+    std::optional<gl::FrameOptions> frameSeen_;
+    std::optional<Camera> cameraSeen_;
+    std::uint64_t sceneSeen_ = 0;
+    std::uint64_t environmentSeen_ = 0;
+    double frameTime_ = 0.0;
+    int settling_ = kSettlingFrames;
+    bool panelShown_ = true;
+};
+
+}  // namespace
+
+int runViewer(const SessionOptions& options) {
+    return Viewer(options).run();
+}
+
+}  // namespace tukor

@@ -1,0 +1,206 @@
+#include "view/window.h"
+
+#include <filesystem>
+#include <utility>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+
+#include "tukor/base/error.h"
+#include "tukor/gl/context.h"
+#include "tukor/gl/errors.h"
+#include "view/panel_renderer.h"
+
+namespace tukor {
+namespace {
+
+/// What GLFW complained about last; its callback cannot throw through C frames.
+std::string lastComplaint;
+
+void storeComplaint(int, const char* message) {
+    lastComplaint = message;
+}
+
+int glfwKey(Key key) {
+    switch (key) {
+        case Key::f12:
+            return GLFW_KEY_F12;
+        case Key::left:
+            return GLFW_KEY_LEFT;
+        case Key::right:
+            return GLFW_KEY_RIGHT;
+        case Key::up:
+            return GLFW_KEY_UP;
+        case Key::down:
+            return GLFW_KEY_DOWN;
+        case Key::plus:
+            return GLFW_KEY_EQUAL;
+        case Key::minus:
+            return GLFW_KEY_MINUS;
+        case Key::home:
+            return GLFW_KEY_HOME;
+        case Key::tab:
+            return GLFW_KEY_TAB;
+        case Key::escape:
+            return GLFW_KEY_ESCAPE;
+    }
+    return GLFW_KEY_UNKNOWN;
+}
+
+/// A face that reads better than ImGui's bitmap font, where the system has it.
+constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+}  // namespace
+
+struct Window::Glfw {
+    Glfw() {
+        glfwSetErrorCallback(storeComplaint);
+        if (glfwInit() != GLFW_TRUE) {
+            throw Error("no display (" + lastComplaint + "); `tukor render` needs none");
+        }
+    }
+    ~Glfw() { glfwTerminate(); }
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+};
+
+struct Window::Panel {
+    explicit Panel(GLFWwindow* window) {
+        IMGUI_CHECKVERSION();
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;  // leave no files behind
+        ImGui::StyleColorsDark();
+        ImGui_ImplGlfw_InitForOther(window, true);  // chains the callbacks set before
+    }
+    ~Panel() {
+        ImGui_ImplGlfw_Shutdown();
+        ImGui::DestroyContext();
+    }
+    Panel(const Panel&) = delete;
+    Panel& operator=(const Panel&) = delete;
+};
+
+Window::Window(int width, int height, const std::string& title) : glfw_(std::make_unique<Glfw>()) {
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the scene is drawn elsewhere and copied here
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (window_ == nullptr) {
+        throw Error("no window with OpenGL ES 3: " + lastComplaint +
+                    "; `tukor render` needs no window");
+    }
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    gl::requireFeatures();
+    gl::watchErrors(glfwGetProcAddress);
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+        self.dropped_.insert(self.dropped_.end(), paths, paths + count);
+    });
+    panel_ = std::make_unique<Panel>(window_);
+    renderer_ = std::make_unique<PanelRenderer>();
+}
+
+Window::~Window() {
+    renderer_.reset();
+    panel_.reset();
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+}
+
+bool Window::closing() const noexcept {
+    return glfwWindowShouldClose(window_) == GLFW_TRUE;
+}
+
+void Window::close() noexcept {
+    glfwSetWindowShouldClose(window_, GLFW_TRUE);
+}
+
+void Window::handleEvents(bool busy, double seconds) {
+    if (busy) {
+        glfwPollEvents();
+    } else {
+        glfwWaitEventsTimeout(seconds);
+    }
+}
+
+glm::ivec2 Window::framebufferSize() const noexcept {
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+glm::vec2 Window::framebufferScale() const noexcept {
+    glm::ivec2 size(0);
+    glfwGetWindowSize(window_, &size.x, &size.y);
+    if (size.x < 1 || size.y < 1) return glm::vec2(1.0f);
+    return glm::vec2(framebufferSize()) / glm::vec2(size);
+}
+
+float Window::contentScale() const noexcept {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return glm::clamp(y, 0.5f, 4.0f);
+}
+
+std::vector<std::string> Window::takeDroppedFiles() noexcept {
+    return std::exchange(dropped_, {});
+}
+
+void Window::setTitle(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::setClipboard(const std::string& text) {
+    glfwSetClipboardString(window_, text.c_str());
+}
+
+bool Window::pressed(Key key) const {
+    return ImGui::IsKeyPressed(glfwKey(key));
+}
+
+bool Window::held(Key key) const {
+    return ImGui::IsKeyDown(glfwKey(key));
+}
+
+void Window::beginFrame() {
+    // the widgets are laid out in screen coordinates: text grows by what those do not account for
+    const float textScale = contentScale() / framebufferScale().y;
+    const float pixelScale = contentScale();
+    if (pixelScale != fontScale_) {
+        fontScale_ = pixelScale;
+        ImGuiIO& io = ImGui::GetIO();
+        io.Fonts->Clear();
+        std::error_code ignored;
+        if (std::filesystem::exists(kFontFile, ignored)) {
+            io.Fonts->AddFontFromFileTTF(kFontFile, 14.0f * pixelScale);
+        } else {
+            ImFontConfig config;
+            config.SizePixels = 13.0f * pixelScale;
+            io.Fonts->AddFontDefault(&config);
+        }
+        io.FontGlobalScale = textScale / pixelScale;
+        ImGui::GetStyle() = ImGuiStyle();
+        ImGui::StyleColorsDark();
+        ImGui::GetStyle().WindowRounding = 4.0f;
+        ImGui::GetStyle().ScaleAllSizes(textScale);
+        renderer_->uploadFonts();
+    }
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Window::endFrame() {
+    ImGui::Render();
+    renderer_->draw(*ImGui::GetDrawData());
+    gl::throwPendingErrors("drawing the panel");
+    glfwSwapBuffers(window_);
+}
+
+}  // namespace tukor

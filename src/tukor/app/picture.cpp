@@ -1,0 +1,107 @@
+#include "tukor/app/picture.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "tukor/app/option_table.h"
+#include "tukor/app/version.h"
+#include "tukor/base/error.h"
+#include "tukor/image/image_file.h"
+#if TUKOR_GL
+#include "tukor/gl/render.h"
+#endif
+
+namespace tukor {
+namespace {
+
+/// Makes a file there and removes it: permissions alone do not tell.
+void requireWritableFolder(const std::filesystem::path& folder, const std::filesystem::path& out) {
+    std::string probe = (folder / ".tukor-XXXXXX").string();
+    const int file = mkstemp(probe.data());
+    if (file < 0) {
+        const int reason = errno;
+        throw Error(fmt::format("{}: cannot write into {}: {}", out.string(), folder.string(),
+                                std::strerror(reason)));
+    }
+    close(file);
+    unlink(probe.c_str());
+}
+
+Renderer rendererFor(const SessionOptions& options) {
+    if (options.quality.renderer) return *options.quality.renderer;
+    return Renderer::gl;
+}
+
+}  // namespace
+
+void requireWritablePicture(const std::filesystem::path& out) {
+    namespace fs = std::filesystem;
+    checkSavable(out);
+    std::error_code ignored;
+    if (fs::is_directory(out, ignored)) {
+        throw Error(fmt::format("{}: is a folder; a file name expected", out.string()));
+    }
+    if (fs::exists(out, ignored) && !fs::is_regular_file(out, ignored)) return;  // a device
+    const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored)) {
+        throw Error(fmt::format("{}: there is no folder {}", out.string(), folder.string()));
+    }
+    requireWritableFolder(folder, out);
+}
+
+std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {
+    for (int i = 1; i < 10000; ++i) {
+        std::filesystem::path path = folder / fmt::format("tukor-{:04}.png", i);
+        std::error_code ignored;
+        if (!std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) return path;
+    }
+    throw Error(fmt::format("{}: 9999 pictures are here already; move some away", folder.string()));
+}
+
+Rendering renderPicture(const Session& session, const Progress& progress) {
+    const RenderOptions options = session.renderOptions();
+    if (rendererFor(session.options()) == Renderer::gl) {
+#if TUKOR_GL
+        return gl::render(session.scene(), session.environment(), session.camera(), options,
+                          progress);
+#else
+        throw Error("this build has no renderer gl; configure with -DTUKOR_GL=ON");
+#endif
+    }
+    throw Error("this build has no renderer trace");
+}
+
+void savePicture(const std::filesystem::path& out, const Rendering& rendering,
+                 const Session& session) {
+    const DevelopOptions& develop = session.options().develop;
+    SaveOptions save;
+    save.tonemap = develop.tonemap;
+    save.exposureStops = develop.exposureStops;
+    save.pngDepth = develop.pngDepth;
+    save.jpegQuality = develop.jpegQuality;
+    save.exrPixels = develop.exrPixels;
+    save.metadata = {
+        {"Software", "tukor " + versionText()},
+        {"command", commandLine("tukor render", session.options())},
+        {"options", jsonFromOptions(session.options())},
+    };
+    saveImage(out, rendering.radiance, save);
+}
+
+std::vector<std::string> warningsOf(const Rendering& rendering) {
+    std::vector<std::string> warnings;
+    if (rendering.leaks + rendering.inconsistencies > 0) {
+        warnings.push_back(fmt::format(
+            "{} light paths left a solid without crossing its surface or met it from the wrong "
+            "side: close the holes of the model and let its triangles face outwards, or render it "
+            "with --fidelity single",
+            rendering.leaks + rendering.inconsistencies));
+    }
+    return warnings;
+}
+
+}  // namespace tukor

@@ -1,0 +1,32 @@
+// From a session to a file: renders with the renderer that the options choose, develops, saves.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tukor/app/session.h"
+#include "tukor/base/progress.h"
+#include "tukor/scene/render_options.h"
+
+namespace tukor {
+
+/// Throws Error unless `out` has the extension of a picture format and lies in a folder that can be
+/// written to: asked before the work, not after it.
+void requireWritablePicture(const std::filesystem::path& out);
+
+/// `tukor-0001.png` or the first number after it that the folder does not have yet.
+[[nodiscard]] std::filesystem::path freshPicturePath(const std::filesystem::path& folder);
+
+/// Throws Error when this build lacks the renderer, or it cannot work here. When `progress` asks to
+/// stop, the picture so far.
+[[nodiscard]] Rendering renderPicture(const Session& session, const Progress& progress = {});
+
+/// Tone mapped and sRGB for .png and .jpg, linear radiance for .exr and .hdr; the command line that
+/// gives the picture, all options and the program's version go into its metadata.
+void savePicture(const std::filesystem::path& out, const Rendering& rendering,
+                 const Session& session);
+
+/// What a person should know about how the picture came about, one sentence each.
+[[nodiscard]] std::vector<std::string> warningsOf(const Rendering& rendering);
+
+}  // namespace tukor

@@ -1,0 +1,159 @@
+#include "tukor/app/session.h"
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "tukor/app/suggestion.h"
+#include "tukor/base/error.h"
+#include "tukor/base/parallel.h"
+#include "tukor/scene/assign_materials.h"
+#include "tukor/scene/model_file.h"
+
+namespace tukor {
+namespace {
+
+Scene loadModels(const std::vector<std::string>& models) {
+    if (models.empty()) throw Error("no model; a file or a built-in shape expected");
+    Scene scene;
+    for (const std::string& model : models) {
+        append(scene, loadModel(model));
+    }
+    return scene;
+}
+
+std::vector<Material> materialsOf(const Scene& scene) {
+    std::vector<Material> materials;
+    for (const Part& part : scene.parts) materials.push_back(part.material);
+    return materials;
+}
+
+const Camera& namedCamera(const Scene& scene, const std::string& name) {
+    std::vector<std::string_view> known;
+    for (const NamedCamera& candidate : scene.cameras) {
+        if (candidate.name == name) return candidate.camera;
+        known.emplace_back(candidate.name);
+    }
+    if (known.empty()) throw Error(fmt::format("camera '{}': the model has no cameras", name));
+    throw Error("camera " + unknownName(name, known));
+}
+
+/// Frames the scene whatever the field of view: the distance grows as the view narrows.
+Camera framing(const Scene& scene, float aspect, const std::optional<float>& fovDegrees) {
+    Camera camera = framingCamera(scene, aspect);
+    if (fovDegrees) {
+        const float fov = glm::radians(*fovDegrees);
+        camera.eye =
+            camera.target + (camera.eye - camera.target) *
+                                (std::sin(0.5f * camera.verticalFov) / std::sin(0.5f * fov));
+        camera.verticalFov = fov;
+    }
+    return camera;
+}
+
+}  // namespace
+
+Camera cameraFromOptions(const CameraOptions& options, const Scene& scene, PictureSize size) {
+    const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
+    Camera camera = options.camera.empty() ? framing(scene, aspect, options.fovDegrees)
+                                           : namedCamera(scene, options.camera);
+    if (options.eye) camera.eye = *options.eye;
+    if (options.target) camera.target = *options.target;
+    if (options.up) camera.up = *options.up;
+    if (options.fovDegrees) camera.verticalFov = glm::radians(*options.fovDegrees);
+    if (camera.eye == camera.target) {
+        throw Error(
+            fmt::format("eye and target are both {},{},{}; a camera needs a direction to "
+                        "look in: give another --eye or --target",
+                        camera.eye.x, camera.eye.y, camera.eye.z));
+    }
+    if (camera.up == glm::vec3(0.0f)) throw Error("up is 0,0,0; a direction expected, as in 0,1,0");
+    return camera;
+}
+
+CameraOptions optionsFromCamera(const Camera& camera, const CameraOptions& before) {
+    CameraOptions options;
+    options.eye = camera.eye;
+    options.target = camera.target;
+    if (camera.up != Camera{}.up) options.up = camera.up;
+    const float degrees = before.fovDegrees.value_or(40.0f);
+    options.fovDegrees =
+        glm::radians(degrees) == camera.verticalFov ? degrees : glm::degrees(camera.verticalFov);
+    return options;
+}
+
+Session::Session(const SessionOptions& options) {
+    apply(options);
+}
+
+void Session::apply(const SessionOptions& options) {
+    const bool first = !environment_;
+    if (options.quality.threads != options_.quality.threads) {
+        setThreadCount(options.quality.threads.value_or(0));
+    }
+    std::optional<Scene> scene;
+    std::optional<Environment> environment;
+    std::vector<Material> own = ownMaterials_;
+    const bool modelsChange = first || options.subject.models != options_.subject.models;
+    const bool materialsChange =
+        modelsChange || options.subject.materials != options_.subject.materials;
+    if (modelsChange) {
+        scene = loadModels(options.subject.models);
+        own = materialsOf(*scene);
+    }
+    if (first || options.light.environment != options_.light.environment ||
+        options.light.faceSize != options_.light.faceSize) {
+        environment = loadEnvironment(options.light.environment, {options.light.faceSize});
+    }
+    Scene& target = scene ? *scene : scene_;
+    const std::vector<Material> before = materialsOf(target);
+    try {
+        if (materialsChange) {
+            for (std::size_t i = 0; i < own.size(); ++i) target.parts[i].material = own[i];
+            assignMaterials(target, options.subject.materials);
+        }
+        camera_ = cameraFromOptions(options.camera, target, options.quality.size);
+    } catch (const Error&) {
+        for (std::size_t i = 0; i < before.size(); ++i) target.parts[i].material = before[i];
+        throw;
+    }
+    if (scene) {
+        scene_ = std::move(*scene);
+        ownMaterials_ = std::move(own);
+        ++sceneRevision_;
+    }
+    if (environment) {
+        environment_ = std::move(environment);
+        ++environmentRevision_;
+    }
+    options_ = options;
+}
+
+RenderOptions Session::renderOptions() const noexcept {
+    const QualityOptions& quality = options_.quality;
+    RenderOptions render;
+    render.width = quality.size.width;
+    render.height = quality.size.height;
+    render.samples = quality.samples;
+    render.fidelity = quality.fidelity;
+    render.fresnel = quality.fresnel;
+    render.background = options_.light.background;
+    render.environmentRotation = glm::radians(options_.light.rotationDegrees);
+    render.environmentIntensity = options_.light.intensity;
+    render.rayBudget = quality.rayBudget;
+    render.weightCutoff = quality.weightCutoff;
+    render.maxDepth = quality.maxDepth;
+    return render;
+}
+
+std::vector<std::string> Session::warnings() const {
+    std::vector<std::string> all = scene_.warnings;
+    for (const std::string& warning : environment_->warnings) {
+        all.push_back(environment_->name + ": " + warning);
+    }
+    return all;
+}
+
+}  // namespace tukor

@@ -1,0 +1,62 @@
+// What the options of a picture name, loaded: scene, environment and camera, for every front end.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tukor/app/options.h"
+#include "tukor/environment/environment.h"
+#include "tukor/scene/render_options.h"
+#include "tukor/scene/scene.h"
+
+namespace tukor {
+
+class Session {
+public:
+    /// Loads all that the options name. Throws Error.
+    explicit Session(const SessionOptions& options);
+
+    /// Takes other options and loads what they change. Throws Error, and then nothing has changed.
+    void apply(const SessionOptions& options);
+
+    [[nodiscard]] const SessionOptions& options() const noexcept { return options_; }
+    [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+    [[nodiscard]] const Environment& environment() const noexcept { return *environment_; }
+
+    /// From the options, the model's camera they name, and where neither says, framing the scene.
+    [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
+
+    /// The options as renderers take them.
+    [[nodiscard]] RenderOptions renderOptions() const noexcept;
+
+    /// What the model and environment files ask for and do not get; one sentence each.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+    /// Counts up whenever the geometry or the environment is another one.
+    [[nodiscard]] std::uint64_t sceneRevision() const noexcept { return sceneRevision_; }
+    [[nodiscard]] std::uint64_t environmentRevision() const noexcept {
+        return environmentRevision_;
+    }
+
+private:
+    SessionOptions options_;
+    Scene scene_;
+    std::vector<Material> ownMaterials_;  // the parts' materials before --material
+    std::optional<Environment> environment_;
+    Camera camera_;
+    std::uint64_t sceneRevision_ = 0;
+    std::uint64_t environmentRevision_ = 0;
+};
+
+/// The camera that the options describe for a scene. Throws Error on an unknown camera name and
+/// where eye and target coincide.
+[[nodiscard]] Camera cameraFromOptions(const CameraOptions& options, const Scene& scene,
+                                       PictureSize size);
+
+/// The options that describe this camera completely. `before` is where it came from: a field of
+/// view that did not change keeps its value in degrees to the last digit.
+[[nodiscard]] CameraOptions optionsFromCamera(const Camera& camera, const CameraOptions& before);
+
+}  // namespace tukor
