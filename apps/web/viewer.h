@@ -1,0 +1,67 @@
+// One element's scene, light and picture: what the functions of exports.cpp act on.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tukor/app/options.h"
+#include "tukor/environment/environment.h"
+#include "tukor/gl/renderer.h"
+#include "tukor/scene/scene.h"
+
+namespace tukor::web {
+
+/// Draws into the WebGL 2 context that is current when it is made. Functions throw Error.
+class Viewer {
+public:
+    Viewer();
+
+    /// A built-in shape, or a file that giveMemoryFile() holds under this name.
+    void setModel(const std::string& name);
+    /// `NAME` or `PATTERN=NAME`, separated by semicolons; all others get back their own.
+    void setMaterials(std::string_view specifications);
+    void setBuiltInEnvironment(std::string_view name);
+    void setEnvironment(const std::string& name, Image picture);
+
+    /// An option of `tukor render` by its name, from text.
+    void setOption(std::string_view name, std::string_view text);
+    void resetOption(std::string_view name);
+    void setCamera(const Camera& camera) noexcept { camera_ = camera; }
+
+    /// Draws one more frame of the picture into the canvas. Returns the samples in it.
+    int drawFrame(int width, int height);
+    /// The picture anew from the next frame on.
+    void restart() noexcept { renderer_.resetAccumulation(); }
+
+    /// One more frame of a picture of another size, which is not shown.
+    void drawStill(int width, int height);
+    /// That picture as straight-alpha sRGB, four bytes a pixel from the top left; valid until the
+    /// next call.
+    [[nodiscard]] std::span<const std::uint8_t> stillPixels();
+
+    /// 1 + the index of the part under a place in the picture, from (0, 0) top left to (1, 1); 0
+    /// for none.
+    [[nodiscard]] int pick(float x, float y, float aspect) const;
+
+    [[nodiscard]] Camera framing(float aspect) const noexcept;
+    [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+    [[nodiscard]] std::vector<std::string> warnings() const;
+    [[nodiscard]] std::string commandLine() const;
+
+private:
+    [[nodiscard]] gl::FrameOptions frameOptions(int width, int height) const noexcept;
+    void useEnvironment(Environment environment);
+
+    gl::Renderer renderer_;
+    SessionOptions options_;
+    Scene scene_;
+    std::vector<Material> ownMaterials_;  // the parts' before setMaterials()
+    std::vector<std::string> environmentWarnings_;
+    Camera camera_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace tukor::web
