@@ -15,7 +15,6 @@
 #include "tukor/base/error.h"
 #include "tukor/base/memory_file.h"
 #include "tukor/image/display.h"
-#include "tukor/image/image_size.h"
 #include "tukor/image/radiance_file.h"
 #include "viewer.h"
 
@@ -41,7 +40,7 @@ int guarded(const Body& body) {
     return -1;
 }
 
-std::string quoted(std::string_view text) {
+std::string jsonString(std::string_view text) {
     std::string json = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') json += '\\';
@@ -220,7 +219,7 @@ EMSCRIPTEN_KEEPALIVE const char* tukor_parts() {
     std::string json = "[";
     for (const tukor::Part& part : viewer->scene().parts)
         json += fmt::format(R"({}{{"name":{},"material":{}}})", json.size() > 1 ? "," : "",
-                            quoted(part.name), quoted(part.materialName));
+                            jsonString(part.name), jsonString(part.materialName));
     return kept(json + "]");
 }
 
@@ -228,7 +227,7 @@ EMSCRIPTEN_KEEPALIVE const char* tukor_parts() {
 EMSCRIPTEN_KEEPALIVE const char* tukor_warnings() {
     std::string json = "[";
     for (const std::string& warning : viewer->warnings())
-        json += (json.size() > 1 ? "," : "") + quoted(warning);
+        json += (json.size() > 1 ? "," : "") + jsonString(warning);
     return kept(json + "]");
 }
 

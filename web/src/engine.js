@@ -70,20 +70,21 @@ export class Engine {
     }
   }
 
-  /** The string that an exported function without arguments returns. */
-  text(name) {
+  /** The string that an exported function returns. */
+  text(name, ...args) {
+    const at = this.wasm["_" + name](...args);
     const { HEAPU8 } = this.wasm;
-    const at = this.wasm["_" + name]();
     let end = at;
     while (HEAPU8[end]) end++;
     return new TextDecoder().decode(HEAPU8.slice(at, end));
   }
 
-  json(name) {
-    return JSON.parse(this.text(name));
+  json(name, ...args) {
+    return JSON.parse(this.text(name, ...args));
   }
 
   destroy() {
+    this.wasm?._tukor_stop();
     this.gl?.getExtension("WEBGL_lose_context")?.loseContext();
     if (this.context) this.wasm.GL.deleteContext(this.context);
     this.wasm = this.gl = this.context = null;

@@ -11,6 +11,13 @@ export class OrbitCamera {
     this.now = { ...this.goal, target: [0, 0, 0] };
   }
 
+  /** Takes the engine's camera that shows the whole model as what `auto` means. */
+  frame({ eye, target, size }) {
+    const offset = eye.map((x, i) => x - target[i]);
+    const radius = Math.hypot(...offset);
+    this.framing = { theta: Math.atan2(offset[0], offset[2]), phi: Math.acos(offset[1] / radius), radius, target, size };
+  }
+
   /** Eye, target and vertical field of view in radians, as the engine takes them. */
   view() {
     const { theta, phi, radius, target, fov } = this.now;

@@ -194,12 +194,12 @@ export class TukorView extends HTMLElement {
     await this.#whenLoaded();
     this.#placeCamera();
     const engine = this.#engine;
-    engine.call("tukor_still_begin", width, height);
+    engine.call("tukor_restart");
     try {
       for (let done = 0; done < samples; ) {
         const begun = performance.now();
         while (done < samples && performance.now() - begun < 30) {
-          engine.call("tukor_still_sample");
+          engine.call("tukor_still_sample", width, height);
           engine.gl.finish();
           done++;
         }
@@ -208,7 +208,6 @@ export class TukorView extends HTMLElement {
       const at = engine.call("tukor_still_pixels");
       return new ImageData(new Uint8ClampedArray(engine.wasm.HEAPU8.slice(at, at + 4 * width * height).buffer), width, height);
     } finally {
-      engine.call("tukor_still_end");
       this.#changed();
     }
   }
@@ -284,7 +283,7 @@ export class TukorView extends HTMLElement {
       engine.call("tukor_clear_files");
       for (const [path, content] of files) engine.call("tukor_add_file", path, content, content.length);
       engine.call("tukor_set_model", name, bytes, bytes.length);
-      this.#camera.framing = engine.json("tukor_framing");
+      this.#camera.frame(engine.json("tukor_framing", this.#canvas.clientWidth / this.#canvas.clientHeight || 1));
       this.#materials();
       for (const attribute of CAMERA) this.#cameraAttribute(attribute);
       this.#camera.jump();
@@ -451,7 +450,7 @@ export class TukorView extends HTMLElement {
     }
     try {
       this.#placeCamera();
-      this.#samples = this.#engine.call("tukor_frame", width, height, moving ? 1 : 0);
+      this.#samples = this.#engine.call("tukor_frame", width, height);
     } catch (error) {
       if (this.#engine?.gl.isContextLost()) return;
       this.#fail(error);
