@@ -31,7 +31,8 @@ THIRD_PARTY = [
     (r"embree\d*/", "src/tukor/trace src/tukor/geometry/bvh_embree_test.cpp"),
     (r"(OpenEXR|Imath)/", "src/tukor/image"),
     (r"(png|spng|jpeglib|jerror|turbojpeg|libdeflate|zlib|zstd)\.h$", "src/tukor/image"),
-    (r"tiny_gltf\.h$", "src/tukor/scene"),
+    (r"draco/", "src/tukor/scene"),
+    (r"meshoptimizer\.h$", "src/tukor/scene"),
     (r"assimp/", "src/tukor/scene"),
     (r"nlohmann/", "src/tukor/scene src/tukor/app apps src/tukor/image bench"),
     (r"EGL/", "src/tukor/gl/context.cpp apps/tukor/view"),
@@ -45,7 +46,7 @@ THIRD_PARTY = [
 ]
 
 # Headers that exactly one file may include, so that the library behind can be exchanged there.
-ONE_FILE_EACH = [r"embree\d*/", r"EGL/egl\.h$", r"tiny_gltf\.h$"]
+ONE_FILE_EACH = [r"embree\d*/", r"EGL/egl\.h$"]
 
 SUFFIXES = {".h", ".cpp", ".vert", ".frag", ".glsl"}
 FOLDERS = ["src", "apps", "examples", "tests", "bench", "fuzz"]

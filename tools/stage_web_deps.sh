@@ -9,7 +9,7 @@ prefix=$1
 [ -e "$prefix/done" ] && exit 0
 rm -rf "$prefix"
 mkdir -p "$prefix/include" "$prefix/lib/cmake/glm" "$prefix/lib/cmake/fmt" "$prefix/lib/cmake/nlohmann_json"
-cp -rL /usr/include/glm /usr/include/fmt /usr/include/nlohmann /usr/include/tiny_gltf.h "$prefix/include/"
+cp -rL /usr/include/glm /usr/include/fmt /usr/include/nlohmann "$prefix/include/"
 
 package() {  # CMake package, target, definitions
     cat >"$prefix/lib/cmake/$1/$1Config.cmake" <<END

@@ -9,13 +9,15 @@
 
 #include "tukor/base/error.h"
 #include "tukor/scene/gltf_features.h"
+#include "tukor/scene/gltf_meshopt.h"
 #include "tukor/scene/sibling_file.h"
 
 namespace tukor {
 
 namespace {
 
-constexpr std::size_t kMostBuffers = 1000;  // files open at once are limited
+constexpr std::size_t kMostBuffers = 1000;                  // files open at once are limited
+constexpr std::size_t kMostDecoded = std::size_t{1} << 30;  // views may share compressed bytes
 constexpr std::uint32_t kGlbMagic = 0x46546c67, kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 
 std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) noexcept {
@@ -52,6 +54,12 @@ std::vector<std::byte> base64Decoded(std::string_view text, const JsonItem& wher
     return bytes;
 }
 
+// Stands for what its compressed views decode to, in files for readers with the extension only.
+bool isFallback(const JsonItem& buffer) {
+    const std::optional<JsonItem> extensions = buffer.find("extensions");
+    return extensions && extensions->find("EXT_meshopt_compression") && !buffer.find("uri");
+}
+
 }  // namespace
 
 GltfDocument::GltfDocument(std::filesystem::path path, std::span<const std::byte> bytes)
@@ -60,6 +68,7 @@ GltfDocument::GltfDocument(std::filesystem::path path, std::span<const std::byte
     checkVersion();
     refuseUnknownExtensions(root());
     readBuffers();
+    decodeViews();
 }
 
 void GltfDocument::readContainer(std::span<const std::byte> bytes) {
@@ -106,6 +115,10 @@ void GltfDocument::readBuffers() {
         root().fail(fmt::format("{} buffers; at most {} are read", buffers.size(), kMostBuffers));
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const std::size_t length = buffers[i].at("byteLength").count();
+        if (isFallback(buffers[i])) {
+            buffers_.emplace_back();
+            continue;
+        }
         const std::span<const std::byte> bytes = readBuffer(buffers[i], i);
         if (bytes.size() < length)
             buffers[i].fail(fmt::format("{} bytes; expected {}", bytes.size(), length));
@@ -116,9 +129,6 @@ void GltfDocument::readBuffers() {
 std::span<const std::byte> GltfDocument::readBuffer(const JsonItem& buffer, std::size_t index) {
     const std::optional<JsonItem> uri = buffer.find("uri");
     if (!uri) {
-        if (const auto extensions = buffer.find("extensions");
-            extensions && extensions->find("EXT_meshopt_compression"))
-            return {};  // a fallback for readers without the extension, never there
         if (index > 0 || chunk_.empty()) buffer.fail("no uri, and no binary chunk to take it from");
         return chunk_;
     }
@@ -158,20 +168,46 @@ JsonItem GltfDocument::referred(const char* array, const JsonItem& user, const c
     return item(array, user.at(member).count(), user);
 }
 
-GltfView GltfDocument::view(std::size_t index, const JsonItem& user) const {
-    const JsonItem view = item("bufferViews", index, user);
-    const std::size_t buffer = view.at("buffer").count();
-    const std::size_t offset = view.countOr("byteOffset", 0);
-    const std::size_t length = view.at("byteLength").count();
+std::span<const std::byte> GltfDocument::range(const JsonItem& user) const {
+    const std::size_t buffer = user.at("buffer").count();
+    const std::size_t offset = user.countOr("byteOffset", 0);
+    const std::size_t length = user.at("byteLength").count();
     if (buffer >= buffers_.size())
-        view.fail(fmt::format("refers to buffers[{}]; there are {}", buffer, buffers_.size()));
+        user.fail(fmt::format("refers to buffers[{}]; there are {}", buffer, buffers_.size()));
     const std::size_t size = buffers_[buffer].size();
     if (offset > size || length > size - offset)
-        view.fail(fmt::format("bytes {} to {} of a buffer of {}", offset, offset + length, size));
+        user.fail(fmt::format("bytes {} to {} of a buffer of {}", offset, offset + length, size));
+    return buffers_[buffer].subspan(offset, length);
+}
+
+void GltfDocument::decodeViews() {
+    std::size_t total = 0, index = 0;
+    for (const JsonItem& view : root().list("bufferViews")) {
+        const std::size_t number = index++;
+        const std::optional<JsonItem> extensions = view.find("extensions");
+        if (!extensions) continue;
+        const std::optional<JsonItem> extension = extensions->find("EXT_meshopt_compression");
+        if (!extension) continue;
+        std::vector<std::byte> bytes = meshoptDecoded(*extension, range(*extension));
+        if (bytes.size() < view.at("byteLength").count())
+            extension->fail(fmt::format("{} bytes for a view of {}", bytes.size(),
+                                        view.at("byteLength").count()));
+        total += bytes.size();
+        if (total > kMostDecoded)
+            extension->fail(
+                fmt::format("more than {} bytes come out of the compressed views", kMostDecoded));
+        views_.emplace(number, std::move(bytes));
+    }
+}
+
+GltfView GltfDocument::view(std::size_t index, const JsonItem& user) const {
+    const JsonItem view = item("bufferViews", index, user);
     const std::size_t stride = view.countOr("byteStride", 0);
     if (stride > 252)  // the specification's limit
         view.fail(fmt::format("a stride of {} bytes; at most 252 are allowed", stride));
-    return {buffers_[buffer].subspan(offset, length), stride};
+    const auto decoded = views_.find(index);
+    if (decoded != views_.end()) return {decoded->second, stride};
+    return {range(view), stride};
 }
 
 }  // namespace tukor

@@ -1,7 +1,7 @@
 // The container of glTF 2.0: JSON or GLB, its buffers from wherever they come, and views of them.
 #pragma once
 #include <filesystem>
-#include <memory>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,6 +44,8 @@ private:
     void readContainer(std::span<const std::byte> bytes);
     void checkVersion() const;
     void readBuffers();
+    void decodeViews();
+    [[nodiscard]] std::span<const std::byte> range(const JsonItem& user) const;
     std::span<const std::byte> readBuffer(const JsonItem& buffer, std::size_t index);
 
     std::filesystem::path path_;
@@ -51,8 +53,9 @@ private:
     nlohmann::json json_;
     std::span<const std::byte> chunk_;  // the binary one of a GLB
     std::vector<std::span<const std::byte>> buffers_;
-    std::vector<std::vector<std::byte>> decoded_;  // those from data URIs
-    std::vector<MappedFile> mapped_;               // those from files
+    std::vector<std::vector<std::byte>> decoded_;          // those from data URIs
+    std::vector<MappedFile> mapped_;                       // those from files
+    std::map<std::size_t, std::vector<std::byte>> views_;  // those that were compressed
 };
 
 }  // namespace tukor

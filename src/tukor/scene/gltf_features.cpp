@@ -14,10 +14,8 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kRead[] = {
-    "KHR_mesh_quantization"sv,
-    "KHR_materials_ior"sv,
-    "KHR_materials_transmission"sv,
-    "KHR_materials_volume"sv,
+    "KHR_mesh_quantization"sv, "KHR_materials_ior"sv,       "KHR_materials_transmission"sv,
+    "KHR_materials_volume"sv,  "EXT_meshopt_compression"sv, "KHR_draco_mesh_compression"sv,
 };
 
 // Without effect on the picture while textures are not rendered, or none at all.

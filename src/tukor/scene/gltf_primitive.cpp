@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tukor/scene/gltf_accessor.h"
+#include "tukor/scene/gltf_draco.h"
 
 namespace tukor {
 
@@ -69,6 +70,24 @@ std::vector<unsigned> compact(std::vector<glm::uvec3>& triangles, std::size_t ve
     return used;
 }
 
+// The primitive's Draco extension, if it has one.
+std::optional<JsonItem> dracoOf(const JsonItem& primitive) {
+    const std::optional<JsonItem> extensions = primitive.find("extensions");
+    return extensions ? extensions->find("KHR_draco_mesh_compression") : std::nullopt;
+}
+
+// How many elements an accessor announces: those of Draco have no data of their own.
+std::size_t announced(const GltfDocument& document, const JsonItem& user, const char* member) {
+    return document.referred("accessors", user, member).at("count").count();
+}
+
+Mesh readDraco(const GltfDocument& document, const JsonItem& primitive, const JsonItem& draco) {
+    const GltfView view = document.view(draco.at("bufferView").count(), draco);
+    return dracoDecoded(draco, view.bytes,
+                        announced(document, primitive.at("attributes"), "POSITION"),
+                        announced(document, primitive, "indices") / 3);
+}
+
 void noteRest(const JsonItem& primitive, const JsonItem& attributes, std::string_view part,
               Notes& notes) {
     if (!primitive.list("targets").empty()) notes.add("morph targets are not rendered", part);
@@ -79,6 +98,7 @@ void noteRest(const JsonItem& primitive, const JsonItem& attributes, std::string
 
 std::uint64_t triangleCountOf(const GltfDocument& document, const JsonItem& primitive) {
     const JsonItem attributes = primitive.at("attributes");
+    if (dracoOf(primitive)) return announced(document, primitive, "indices") / 3;
     std::optional<GltfAccessor> corners = accessorAt(document, primitive, "indices");
     if (!corners) corners = accessorAt(document, attributes, "POSITION");
     return corners ? trianglesFrom(modeOf(primitive), corners->count()) : 0;
@@ -92,6 +112,10 @@ Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive, std:
     if (mode < Mode::triangles) {
         notes.add("points and lines are not rendered", part);
         return mesh;
+    }
+    if (const std::optional<JsonItem> draco = dracoOf(primitive)) {
+        noteRest(primitive, attributes, part, notes);
+        return readDraco(document, primitive, *draco);
     }
     const std::optional<GltfAccessor> positions = accessorAt(document, attributes, "POSITION");
     if (!positions) {
