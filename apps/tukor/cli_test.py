@@ -201,6 +201,37 @@ def test_print_options(folder):
     assert options["target"] is None and options["fidelity"] == "exact" and options["size"] == "1280x720"
 
 
+def test_trace_options(folder):
+    out = os.path.join(folder, "a.exr")
+    small("tumbler", "--aov", "depth,normal,bounces", out=out)
+    with open(out, "rb") as file:
+        header = file.read(2000)
+    for channel in (b"depth.", b"normal.", b"bounces."):
+        assert channel in header, channel
+    fails("render", "sphere", "--aov", "depth", "-o", os.path.join(folder, "a.png"), says="only .exr holds the layers")
+    for option in ("--aov=depth", "--error=1", "--time=1"):
+        fails("render", "sphere", "--renderer", "gl", option, "-o", out, says="is for the renderer trace, not for gl")
+    run("render", "sphere", "--size", "64x36", "--error", "2", "-o", out)
+    run("render", "torus-knot", "--size", "640x360", "--samples", "65536", "--time", "0.5", "-o", out)
+
+
+def test_thread_count_does_not_show(folder):
+    one, two = (os.path.join(folder, name) for name in ("one.exr", "two.exr"))
+    small("torus-knot", "--material", "glass", "--threads", "1", out=one)
+    small("torus-knot", "--material", "glass", "--threads", "2", out=two)
+    run("compare", one, two, "--max-rmse", "0")
+
+
+def test_open_models_are_reported(folder):
+    model = os.path.join(folder, "open.obj")
+    with open(model, "w", encoding="ascii") as file:
+        file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n")
+    _, err = small(model, "--material", "glass", out=os.path.join(folder, "a.png"))
+    assert err.startswith("tukor: warning: "), err
+    _, err = small(model, "--material", "glass", "--quiet", out=os.path.join(folder, "a.png"))
+    assert err == "", err
+
+
 def test_interrupt_keeps_the_picture(folder):
     out = os.path.join(folder, "a.png")
     process = subprocess.Popen([PROGRAM, "render", "torus-knot", "--size", "640x360", "--samples", "65536", "-o", out],

@@ -1,7 +1,9 @@
 // `tukor render`: a picture into a file.
+#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "command.h"
 #include "interrupt.h"
@@ -27,12 +29,13 @@ int render(const RenderArguments& arguments) {
         fmt::print("{}\n", jsonFromOptions(arguments.session));
         return 0;
     }
-    requireWritablePicture(arguments.out);  // before any time is spent
+    requireWritablePicture(arguments.out, arguments.session);  // before any time is spent
     const Session session(arguments.session);
     if (!arguments.quiet) {
         for (const std::string& warning : session.warnings()) warn(warning);
     }
     const InterruptWatch watch;
+    const auto start = std::chrono::steady_clock::now();
     float finished = 0.0f;
     Rendering rendering;
     {
@@ -47,6 +50,10 @@ int render(const RenderArguments& arguments) {
     savePicture(arguments.out, rendering, session);
     if (!arguments.quiet) {
         for (const std::string& warning : warningsOf(rendering)) warn(warning);
+        const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
+        if (isatty(STDERR_FILENO) == 1) {
+            fmt::print(stderr, "{}: {}\n", arguments.out, summaryOf(rendering, gone.count()));
+        }
     }
     if (InterruptWatch::interrupted()) {
         fmt::print(stderr, "tukor: stopped at {:.0f} %; the picture so far is {}\n",

@@ -24,6 +24,7 @@ void addViewCommand(CLI::App& program, Action& action) {
         "  Tab             hide the panel             Home           all of the model\n"
         "  F12             save a picture             Ctrl+C         copy the command that renders "
         "it\n"
+        "  Ctrl+Q          close\n"
         "Drop model and environment files on it.\n"
         "\n"
         "Examples\n"

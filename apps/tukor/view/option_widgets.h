@@ -71,9 +71,8 @@ public:
     void operator()(std::string_view, std::optional<T>&, const Extra&, std::string_view) const {}
     template <class Extra>
     void operator()(std::string_view, std::string&, const Extra&, std::string_view) const {}
-    template <class Extra>
-    void operator()(std::string_view, std::vector<std::string>&, const Extra&,
-                    std::string_view) const {}
+    template <class T, class Extra>
+    void operator()(std::string_view, std::vector<T>&, const Extra&, std::string_view) const {}
     void operator()(std::string_view, PictureSize&, const Measure<int>&, std::string_view) const {}
 
 private:

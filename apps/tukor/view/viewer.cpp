@@ -18,16 +18,21 @@
 #include "tukor/gl/renderer.h"
 #include "view/hand.h"
 #include "view/notices.h"
+#include "view/pace.h"
 #include "view/panel.h"
 #include "view/window.h"
 
 namespace tukor {
 namespace {
 
-constexpr int kSamplesAtRest = 64;  // then the picture is finished and the window sleeps
-constexpr int kSettlingFrames = 3;  // ImGui shows the effect of an event one frame later
+constexpr int kSamplesAtRest = 64;   // then the picture is finished and the window sleeps
+constexpr int kPictureSamples = 16;  // a saved picture has at least as many
+constexpr int kSettlingFrames = 3;   // ImGui shows the effect of an event one frame later
 
 class Viewer {
+    using Clock = std::chrono::steady_clock;
+    static constexpr auto kRest = std::chrono::milliseconds(150);  // without a change
+
 public:
     explicit Viewer(const SessionOptions& options)
         : session_(options),
@@ -40,7 +45,10 @@ public:
 
     int run() {
         while (!window_.closing()) {
-            window_.handleEvents(settling_ > 0 || !finished(), notices_.secondsToNextChange());
+            const bool refining = !finished() && !moving();
+            const double toRest = moving() ? 0.02 : 3600.0;
+            window_.handleEvents(settling_ > 0 || refining,
+                                 std::min(toRest, notices_.secondsToNextChange()));
             settling_ = finished() && settling_ > 0 ? settling_ - 1 : kSettlingFrames;
             frame();
         }
@@ -53,8 +61,10 @@ private:
     }
 
     [[nodiscard]] bool finished() const {
-        return renderer_.accumulatedSamples() >= samplesWanted();
+        return atRest_ && renderer_.accumulatedSamples() >= samplesWanted();
     }
+
+    [[nodiscard]] bool moving() const { return Clock::now() - changed_ < kRest; }
 
     void frame() {
         const glm::ivec2 size = window_.framebufferSize();
@@ -97,6 +107,7 @@ private:
         requests.copyCommand = requests.copyCommand ||
                                (!io.WantTextInput && io.KeyCtrl && ImGui::IsKeyPressed('C', false));
         if (requests.frameModel) frameModel();
+        if (!io.WantTextInput && io.KeyCtrl && ImGui::IsKeyPressed('Q', false)) window_.close();
         return requests;
     }
 
@@ -170,6 +181,7 @@ private:
         if (environmentSeen_ != session_.environmentRevision()) {
             renderer_.setEnvironment(session_.environment());
             environmentSeen_ = session_.environmentRevision();
+            stale_ = true;
         }
         updateMaterials();
 
@@ -179,19 +191,36 @@ private:
         frame.picture.height = size.y;
         frame.picture.samples = samplesWanted();
         frame.comparison = comparison_;
-        const auto start = std::chrono::steady_clock::now();
-        if (frame != frameSeen_ || !finished() || !cameraSeen_ ||
-            *cameraSeen_ != session_.camera()) {
-            renderer_.drawFrame(session_.camera(), frame);
-            frameSeen_ = frame;
-            cameraSeen_ = session_.camera();
-            const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
-            frameTime_ = gone.count();
-        }
+        drawPicture(frame);
         gl::DisplayOptions display;
         display.exposureStops = session_.options().develop.exposureStops;
         display.tonemap = session_.options().develop.tonemap;
         renderer_.present(display, {0, 0, size.x, size.y});
+    }
+
+    /// Coarse while the picture changes, full size and one frame more each time when it rests.
+    void drawPicture(gl::FrameOptions frame) {
+        const bool changed = !restSeen_ || *restSeen_ != frame || !cameraSeen_ ||
+                             *cameraSeen_ != session_.camera() || stale_;
+        const auto start = Clock::now();
+        if (changed && restSeen_) changed_ = start;  // the first picture is nobody's movement
+        restSeen_ = frame;
+        cameraSeen_ = session_.camera();
+        stale_ = false;
+        if (changed && moving()) {
+            frame.picture = pace_.whileMoving(frame.picture);
+            renderer_.drawFrame(session_.camera(), frame);
+            glFinish();  // the clock is about the drawing, not about the asking
+            const std::chrono::duration<double> gone = Clock::now() - start;
+            pace_.took(gone.count());
+            frameTime_ = gone.count();
+            atRest_ = false;
+        } else if (!moving() && !finished()) {
+            renderer_.drawFrame(session_.camera(), frame);
+            const std::chrono::duration<double> gone = Clock::now() - start;
+            frameTime_ = gone.count();
+            atRest_ = true;
+        }
     }
 
     void updateMaterials() {
@@ -202,6 +231,7 @@ private:
             if (!all && materialsSeen_[i] == parts[i].material) continue;
             materialsSeen_[i] = parts[i].material;
             renderer_.setMaterial(static_cast<int>(i), parts[i].material);
+            stale_ = true;
         }
     }
 
@@ -217,7 +247,12 @@ private:
                                  " -o picture.png");
             notices_.add(Notices::Kind::news, "the command is in the clipboard");
         }
-        if (!requests.screenshot) return;
+        screenshotWanted_ = screenshotWanted_ || requests.screenshot;
+        if (!screenshotWanted_ || !atRest_ ||
+            renderer_.accumulatedSamples() < std::min(kPictureSamples, samplesWanted())) {
+            return;
+        }
+        screenshotWanted_ = false;
         try {
             const std::filesystem::path path = freshPicturePath(std::filesystem::current_path());
             savePicture(path, renderer_.read(), session_);
@@ -236,10 +271,15 @@ private:
     Notices notices_;
     std::optional<gl::Comparison> comparison_;
     std::vector<Material> materialsSeen_;
-    std::optional<gl::FrameOptions> frameSeen_;
+    Pace pace_;
+    std::optional<gl::FrameOptions> restSeen_;  // as it would be at rest
     std::optional<Camera> cameraSeen_;
     std::uint64_t sceneSeen_ = 0;
     std::uint64_t environmentSeen_ = 0;
+    Clock::time_point changed_{};
+    bool stale_ = true;    // light or material is another one
+    bool atRest_ = false;  // the picture is at full size
+    bool screenshotWanted_ = false;
     double frameTime_ = 0.0;
     int settling_ = kSettlingFrames;
     bool panelShown_ = true;

@@ -3,6 +3,7 @@
 // valueFromText(extra, text) throws Error without the option's name: `'abc' is not a number`; the
 // caller knows the name. textFromValue is its inverse, shortest text that gives the value back.
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,19 @@ void assignFromText(std::vector<std::string>& value, const Extra& extra, std::st
     value.push_back(valueFromText(ValueType<std::string>{}, extra, text));
 }
 
+/// A list of words separated by commas; those that are there already are not repeated.
+template <class Enum>
+void assignFromText(std::vector<Enum>& value, const Spellings<Enum>& spellings,
+                    std::string_view text) {
+    while (true) {
+        const auto comma = text.find(',');
+        const Enum one = valueFromText(ValueType<Enum>{}, spellings, text.substr(0, comma));
+        if (std::find(value.begin(), value.end(), one) == value.end()) value.push_back(one);
+        if (comma == text.npos) return;
+        text.remove_prefix(comma + 1);
+    }
+}
+
 [[nodiscard]] std::string textFromValue(int value);
 [[nodiscard]] std::string textFromValue(float value);
 [[nodiscard]] std::string textFromValue(glm::vec3 value);
@@ -82,6 +96,16 @@ template <class Extra>
 [[nodiscard]] std::vector<std::string> textsFromOption(const std::vector<std::string>& value,
                                                        const Extra&) {
     return value;
+}
+template <class Enum>
+[[nodiscard]] std::vector<std::string> textsFromOption(const std::vector<Enum>& value,
+                                                       const Spellings<Enum>& spellings) {
+    std::string text;
+    for (const Enum one : value) {
+        text += (text.empty() ? "" : ",") + textsFromOption(one, spellings).front();
+    }
+    if (text.empty()) return {};
+    return {text};
 }
 template <class T, class Extra>
 [[nodiscard]] std::vector<std::string> textsFromOption(const std::optional<T>& value,

@@ -76,6 +76,16 @@ TEST(OptionText, NamesTheNearestSpelling) {
               "'photon' is unknown; known are: single, double, exact");
 }
 
+TEST(OptionText, ReadsListsOfWords) {
+    const Spellings<AovLayer> spellings(kAovSpellings);
+    std::vector<AovLayer> layers;
+    assignFromText(layers, spellings, "normal,depth,normal");
+    EXPECT_EQ(layers, (std::vector{AovLayer::normal, AovLayer::depth}));
+    EXPECT_EQ(textsFromOption(layers, spellings), std::vector<std::string>{"normal,depth"});
+    EXPECT_THAT(messageOf([&] { assignFromText(layers, spellings, "depth,"); }),
+                HasSubstr("'' is unknown; known are: depth, normal, material, bounces"));
+}
+
 TEST(OptionText, QuotesOnlyTheBeginningOfAHostileArgument) {
     const std::string text(100000, 'x');
     EXPECT_LT(messageOf([&] { (void)valueFromText(ValueType<float>{}, kPlace, text); }).size(),

@@ -78,6 +78,10 @@ struct QualityOptions {
     FresnelForm fresnel = FresnelForm::exact;
     PictureSize size;
     std::optional<int> samples;  // per pixel; none: the renderer's own choice
+    std::optional<float> error;  // RMSE in 8-bit sRGB
+    std::optional<float> seconds;
+    std::vector<AovLayer> layers;
+    int seed = 0;
     int rayBudget = 128;
     float weightCutoff = 1e-3f;
     int maxDepth = 64;
@@ -118,6 +122,12 @@ inline constexpr std::array<std::pair<Background, std::string_view>, 4> kBackgro
      {Background::box, "box"},
      {Background::dome, "dome"},
      {Background::none, "none"}}};
+inline constexpr std::array<std::pair<AovLayer, std::string_view>, 4> kAovSpellings{
+    {{AovLayer::depth, "depth"},
+     {AovLayer::normal, "normal"},
+     {AovLayer::material, "material"},
+     {AovLayer::bounces, "bounces"}}};
+
 /// `T` or `const T`.
 template <class Options, class T>
 concept OptionsOf = std::same_as<std::remove_const_t<Options>, T>;
@@ -160,7 +170,21 @@ template <OptionsOf<QualityOptions> Options, class Visitor>
 void describe(Options& o, Visitor&& field) {
     field("size", o.size, Measure<int>{"WxH", {1, 16384}}, "picture size in pixels");
     field("samples", o.samples, Measure<int>{"N", {1, 65536}},
-          "camera rays per pixel; the renderer's own choice");
+          "camera rays per pixel; the renderer's own choice, which for trace is: where they are "
+          "worth "
+          "most, until --error 1");
+    field("error", o.error, Measure<float>{"E", {0.01f, 100.0f}},
+          "go on until the expected RMSE of the picture, in 8-bit sRGB, is below E; --samples is "
+          "then "
+          "the most that a pixel gets (trace)");
+    field("time", o.seconds, Measure<float>{"S", {0.0f, 1e6f}},
+          "stop after S seconds with the picture so far (trace)");
+    field(
+        "aov", o.layers, Spellings<AovLayer>(kAovSpellings),
+        "further layers of an .exr, separated by commas: distance from the eye in metres, shading "
+        "normal, number of the part, longest light path (trace)");
+    field("seed", o.seed, Measure<int>{"N", {0, 2147483647}},
+          "another one gives other noise of the same size (trace)");
     field(
         "fidelity", o.fidelity, Spellings<Fidelity>(kFidelitySpellings),
         "single: the textbook's one reflection and one refraction at the first surface; double: a "

@@ -1,8 +1,10 @@
 #include "tukor/app/picture.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,9 +12,13 @@
 #include "tukor/app/option_table.h"
 #include "tukor/app/version.h"
 #include "tukor/base/error.h"
+#include "tukor/base/file.h"
 #include "tukor/image/image_file.h"
 #if TUKOR_GL
 #include "tukor/gl/render.h"
+#endif
+#if TUKOR_TRACE
+#include "tukor/trace/render.h"
 #endif
 
 namespace tukor {
@@ -31,16 +37,27 @@ void requireWritableFolder(const std::filesystem::path& folder, const std::files
     unlink(probe.c_str());
 }
 
+/// The first option that gl does not know what to do with; empty when there is none.
+std::string_view onlyForTrace(const QualityOptions& quality) {
+    if (quality.error) return "error";
+    if (quality.seconds) return "time";
+    if (!quality.layers.empty()) return "aov";
+    return {};
+}
+
 Renderer rendererFor(const SessionOptions& options) {
     if (options.quality.renderer) return *options.quality.renderer;
-    return Renderer::gl;
+    return TUKOR_TRACE ? Renderer::trace : Renderer::gl;
 }
 
 }  // namespace
 
-void requireWritablePicture(const std::filesystem::path& out) {
+void requireWritablePicture(const std::filesystem::path& out, const SessionOptions& options) {
     namespace fs = std::filesystem;
     checkSavable(out);
+    if (!options.quality.layers.empty() && lowerExtension(out) != ".exr") {
+        throw Error(fmt::format("{}: only .exr holds the layers of --aov", out.string()));
+    }
     std::error_code ignored;
     if (fs::is_directory(out, ignored)) {
         throw Error(fmt::format("{}: is a folder; a file name expected", out.string()));
@@ -65,6 +82,10 @@ std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {
 Rendering renderPicture(const Session& session, const Progress& progress) {
     const RenderOptions options = session.renderOptions();
     if (rendererFor(session.options()) == Renderer::gl) {
+        const std::string_view needsTrace = onlyForTrace(session.options().quality);
+        if (!needsTrace.empty()) {
+            throw Error(fmt::format("--{} is for the renderer trace, not for gl", needsTrace));
+        }
 #if TUKOR_GL
         return gl::render(session.scene(), session.environment(), session.camera(), options,
                           progress);
@@ -72,7 +93,12 @@ Rendering renderPicture(const Session& session, const Progress& progress) {
         throw Error("this build has no renderer gl; configure with -DTUKOR_GL=ON");
 #endif
     }
-    throw Error("this build has no renderer trace");
+#if TUKOR_TRACE
+    return trace::render(session.scene(), session.environment(), session.camera(), options,
+                         progress);
+#else
+    throw Error("this build has no renderer trace; configure with -DTUKOR_TRACE=ON");
+#endif
 }
 
 void savePicture(const std::filesystem::path& out, const Rendering& rendering,
@@ -89,19 +115,37 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
         {"command", commandLine("tukor render", session.options())},
         {"options", jsonFromOptions(session.options())},
     };
-    saveImage(out, rendering.radiance, save);
+    if (rendering.layers.empty()) {
+        saveImage(out, rendering.radiance, save);
+        return;
+    }
+    std::vector<ImageLayer> layers = rendering.layers;
+    layers.insert(layers.begin(), {"", rendering.radiance});
+    saveExrLayers(out, layers, save);
 }
 
 std::vector<std::string> warningsOf(const Rendering& rendering) {
-    std::vector<std::string> warnings;
-    if (rendering.leaks + rendering.inconsistencies > 0) {
-        warnings.push_back(fmt::format(
-            "{} light paths left a solid without crossing its surface or met it from the wrong "
-            "side: close the holes of the model and let its triangles face outwards, or render it "
-            "with --fidelity single",
-            rendering.leaks + rendering.inconsistencies));
+    const std::uint64_t faults = rendering.leaks + rendering.inconsistencies;
+    if (faults == 0) return {};
+    return {
+        fmt::format("{} of {} rays left a solid without crossing its surface or met it from the "
+                    "wrong side: close the holes of the model and let its triangles face "
+                    "outwards, or render it with --fidelity single",
+                    faults, rendering.rays)};
+}
+
+std::string summaryOf(const Rendering& rendering, double seconds) {
+    std::string text = fmt::format("{:.1f} s", seconds);
+    if (rendering.samplesPerPixel > 0.0) {
+        text += fmt::format(", {:.1f} samples a pixel", rendering.samplesPerPixel);
     }
-    return warnings;
+    if (rendering.rays > 0) {
+        const auto rays = static_cast<double>(rendering.rays);
+        text += fmt::format(", {:.1f} million rays ({:.1f} million a second)", rays / 1e6,
+                            rays / 1e6 / std::max(seconds, 1e-3));
+    }
+    if (rendering.error) text += fmt::format(", expected RMSE {:.2f}", *rendering.error);
+    return text;
 }
 
 }  // namespace tukor

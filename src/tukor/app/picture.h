@@ -10,9 +10,9 @@
 
 namespace tukor {
 
-/// Throws Error unless `out` has the extension of a picture format and lies in a folder that can be
-/// written to: asked before the work, not after it.
-void requireWritablePicture(const std::filesystem::path& out);
+/// Throws Error unless `out` has the extension of a picture format that holds what the options ask
+/// for, and lies in a folder that can be written to: asked before the work, not after it.
+void requireWritablePicture(const std::filesystem::path& out, const SessionOptions& options);
 
 /// `tukor-0001.png` or the first number after it that the folder does not have yet.
 [[nodiscard]] std::filesystem::path freshPicturePath(const std::filesystem::path& folder);
@@ -28,5 +28,8 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
 
 /// What a person should know about how the picture came about, one sentence each.
 [[nodiscard]] std::vector<std::string> warningsOf(const Rendering& rendering);
+
+/// Time, samples, rays and error of a picture in a line.
+[[nodiscard]] std::string summaryOf(const Rendering& rendering, double seconds);
 
 }  // namespace tukor

@@ -131,12 +131,16 @@ void Session::apply(const SessionOptions& options) {
     options_ = options;
 }
 
-RenderOptions Session::renderOptions() const noexcept {
+RenderOptions Session::renderOptions() const {
     const QualityOptions& quality = options_.quality;
     RenderOptions render;
     render.width = quality.size.width;
     render.height = quality.size.height;
     render.samples = quality.samples;
+    render.error = quality.error;
+    render.timeSeconds = quality.seconds;
+    render.layers = quality.layers;
+    render.seed = static_cast<std::uint32_t>(quality.seed);
     render.fidelity = quality.fidelity;
     render.fresnel = quality.fresnel;
     render.background = options_.light.background;
@@ -150,6 +154,10 @@ RenderOptions Session::renderOptions() const noexcept {
 
 std::vector<std::string> Session::warnings() const {
     std::vector<std::string> all = scene_.warnings;
+    if (options_.quality.fidelity != Fidelity::single) {  // a single look-up needs no inside
+        const std::vector<std::string> open = closednessWarnings(scene_);
+        all.insert(all.end(), open.begin(), open.end());
+    }
     for (const std::string& warning : environment_->warnings) {
         all.push_back(environment_->name + ": " + warning);
     }

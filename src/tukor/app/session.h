@@ -29,7 +29,7 @@ public:
     [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
 
     /// The options as renderers take them.
-    [[nodiscard]] RenderOptions renderOptions() const noexcept;
+    [[nodiscard]] RenderOptions renderOptions() const;
 
     /// What the model and environment files ask for and do not get; one sentence each.
     [[nodiscard]] std::vector<std::string> warnings() const;

@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+"""Drives the window of `tukor view` by real input events on a virtual display.
+
+usage: view_test.py PROGRAM [FOLDER]    FOLDER keeps the pictures
+
+Needs Xvfb and xdotool; exits with 77, skipped, without them.
+"""
+import os
+import re
+import shlex
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+PROGRAM = os.path.abspath(sys.argv[1])
+PATIENCE = 60  # seconds; software rendering on a busy machine
+
+
+def wait_for(what, condition):
+    """The first true value of condition()."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.1)
+    raise AssertionError(f"waited {PATIENCE} s for {what}")
+
+
+def xdotool(*arguments):
+    """Sends events; its standard output."""
+    return subprocess.run(["xdotool", *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+
+
+class Display:
+    """A virtual screen, named by DISPLAY while it lives."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x900x24", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        number = os.read(read, 16).decode().strip()
+        os.close(read)
+        os.environ["DISPLAY"] = f":{number}"
+        os.environ.pop("WAYLAND_DISPLAY", None)
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Viewer:
+    """A running `tukor view` whose screenshots go into `folder`."""
+
+    def __init__(self, folder, *arguments):
+        self.folder = folder
+        self.errors = open(os.path.join(folder, "stderr.txt"), "w+", encoding="utf-8")
+        self.process = subprocess.Popen([PROGRAM, "view", *arguments], cwd=folder, stderr=self.errors)
+        self.window = wait_for("the window", self.find_window)
+        xdotool("windowfocus", "--sync", self.window)
+        self.pictures = 0
+
+    def find_window(self):
+        assert self.process.poll() is None, f"the program ended with {self.process.returncode}: {self.said()}"
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--pid", str(self.process.pid)],
+                               capture_output=True, text=True).stdout.split()
+        return found[0] if found else None
+
+    def said(self):
+        with open(self.errors.name, encoding="utf-8") as file:
+            return file.read()
+
+    def picture(self):
+        """Presses F12; the new file."""
+        self.pictures += 1
+        path = os.path.join(self.folder, f"tukor-{self.pictures:04}.png")
+        assert not os.path.exists(path)
+        xdotool("key", "F12")
+        wait_for(path, lambda: os.path.exists(path))
+        return path
+
+    def drag(self, start, end, button=1):
+        xdotool("mousemove", "--window", self.window, *start)
+        time.sleep(0.3)
+        xdotool("mousedown", button)
+        steps = 8
+        for i in range(1, steps + 1):
+            xdotool("mousemove", "--window", self.window, *(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
+            time.sleep(0.05)
+        xdotool("mouseup", button)
+        time.sleep(0.3)
+
+    def click(self, place, button=1, repeat=1):
+        xdotool("mousemove", "--window", self.window, *place)
+        time.sleep(0.3)
+        xdotool("click", "--repeat", repeat, "--delay", 80, button)
+        time.sleep(0.3)
+
+    def processor_seconds(self):
+        with open(f"/proc/{self.process.pid}/stat", encoding="ascii") as file:
+            fields = file.read().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def close(self):
+        xdotool("key", "ctrl+q")
+        assert self.process.wait(timeout=PATIENCE) == 0, self.said()
+
+
+def rmse(a, b):
+    """As `tukor compare` has it, in 8-bit codes."""
+    out = subprocess.run([PROGRAM, "compare", a, b], check=True, capture_output=True, text=True).stdout
+    return float(re.search(r"RMSE ([0-9.]+)", out).group(1))
+
+
+def size_of(path):
+    with open(path, "rb") as file:
+        return struct.unpack(">II", file.read(24)[16:])
+
+
+def test_window(folder):
+    """Every way to move, a save, the command that reproduces it, resizing, idleness."""
+    viewer = Viewer(folder, "torus-knot", "--fidelity", "single", "--size", "640x360", "--samples", "16")
+    xdotool("key", "Tab")  # hides the panel, so that all of the picture takes the mouse
+    first = viewer.picture()
+    assert size_of(first) == (640, 360)
+
+    viewer.drag((320, 180), (440, 220))
+    turned = viewer.picture()
+    assert rmse(first, turned) > 5, "a drag does not turn"
+    viewer.drag((320, 180), (260, 180), button=3)
+    moved = viewer.picture()
+    assert rmse(turned, moved) > 5, "a right drag does not move"
+    viewer.click((320, 180), button=4, repeat=3)
+    near = viewer.picture()
+    assert rmse(moved, near) > 3, "the wheel does not go nearer"
+    viewer.click((380, 180), repeat=2)
+    focused = viewer.picture()
+    assert rmse(near, focused) > 1, "a double click does not focus"
+    xdotool("key", "--repeat", 3, "minus")
+    far = viewer.picture()
+    assert rmse(focused, far) > 3, "the minus key does not go farther"
+
+    if shutil.which("xclip"):
+        xdotool("key", "ctrl+c")
+        time.sleep(1)
+        command = subprocess.run(["xclip", "-o", "-selection", "clipboard"], check=True, capture_output=True,
+                                 text=True, timeout=PATIENCE).stdout
+        words = shlex.split(command)
+        assert words[:3] == ["tukor", "render", "torus-knot"] and words[-2:] == ["-o", "picture.png"], command
+        again = os.path.join(folder, "again.png")
+        subprocess.run([PROGRAM, *words[1:-1], again, "--renderer", "gl"], check=True)
+        assert rmse(far, again) < 0.5, f"another picture: {command}"
+
+    xdotool("key", "Home")
+    home = viewer.picture()
+    assert rmse(first, home) < 0.5, "Home does not show the whole model as at first"
+
+    time.sleep(8)  # the notices go away
+    before = viewer.processor_seconds()
+    time.sleep(3)
+    assert viewer.processor_seconds() - before < 0.1, "an idle window keeps a processor busy"
+
+    xdotool("windowsize", viewer.window, 500, 400)
+    time.sleep(1)
+    assert size_of(viewer.picture()) == (500, 400)
+    xdotool("key", "Tab")
+    viewer.drag((40, 40), (60, 60))  # on the panel: the picture stays
+    viewer.close()
+    assert viewer.said() == "", viewer.said()
+
+
+def test_wrong_start(folder):
+    """What is wrong with the arguments is said before a window opens."""
+    result = subprocess.run([PROGRAM, "view", "none.obj"], capture_output=True, text=True, cwd=folder, timeout=PATIENCE)
+    assert result.returncode == 1 and result.stderr.startswith("tukor: none.obj: "), result
+
+
+def main():
+    if not shutil.which("Xvfb") or not shutil.which("xdotool"):
+        print("skipped: needs Xvfb and xdotool")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder, Display():
+        if len(sys.argv) > 2:
+            folder = sys.argv[2]
+            os.makedirs(folder, exist_ok=True)
+        for test in (test_window, test_wrong_start):
+            own = os.path.join(folder, test.__name__)
+            os.makedirs(own, exist_ok=True)
+            test(own)
+            print(f"ok      {test.__name__}")
+
+
+main()
