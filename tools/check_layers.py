@@ -103,7 +103,7 @@ def check(root):
                 elif quoted:
                     if path.startswith("src/"):
                         violations.append(f"{where}: write the path from src, tukor/...")
-                    elif not (root / header).is_file() and not any((base / header).is_file() for base in file.parents if root in base.parents):
+                    elif not any((top / header).is_file() for top in (root, root / "tests")) and not any((base / header).is_file() for base in file.parents if root in base.parents):
                         violations.append(f"{where}: no such file beside or above it")
                 elif not STANDARD.match(header) and not allowed_third_party(path, header):
                     violations.append(f"{where}: not allowed here; see THIRD_PARTY in tools/check_layers.py")
