@@ -16,6 +16,9 @@ namespace {
 // Footprints are clamped to 16 texels (transport/footprint.h): no more levels are ever read.
 constexpr std::size_t kLevels = 5;
 
+// Radians: linear extrapolation of directions means nothing over more.
+constexpr float kWidest = 0.5f;
+
 constexpr float kPi = std::numbers::pi_v<float>;
 
 EnvironmentMap::Texel texelOf(glm::vec3 radiance) {
@@ -186,17 +189,59 @@ EnvironmentMap::Texel EnvironmentMap::bilinear(const Level& level,
     return sum;
 }
 
-glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, float solidAngle) const noexcept {
-    const glm::vec3 turned(cosRotation_ * direction.x - sinRotation_ * direction.z, direction.y,
-                           sinRotation_ * direction.x + cosRotation_ * direction.z);
-    const Place place = placeOf(turned);
-    const float level = transport::footprintLevel(solidAngle, equivalentFaceSize_);
+glm::vec3 EnvironmentMap::turned(glm::vec3 d) const noexcept {
+    return {cosRotation_ * d.x - sinRotation_ * d.z, d.y, sinRotation_ * d.x + cosRotation_ * d.z};
+}
+
+glm::vec3 EnvironmentMap::look(glm::vec3 direction, float level) const noexcept {
+    const Place place = placeOf(direction);
     const auto finest = std::min(static_cast<std::size_t>(level), levels_.size() - 1);
     const float between = level - static_cast<float>(finest);
     const Texel a = bilinear(levels_[finest], place);
     if (!(between > 0.0f) || finest + 1 == levels_.size()) return {a.r, a.g, a.b};
     const Texel b = bilinear(levels_[finest + 1], place);
     return {a.r + between * (b.r - a.r), a.g + between * (b.g - a.g), a.b + between * (b.b - a.b)};
+}
+
+glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, float solidAngle) const noexcept {
+    return look(turned(direction), transport::footprintLevel(solidAngle, equivalentFaceSize_));
+}
+
+glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
+                                   int mostLookUps) const noexcept {
+    // In texels. Where differentials broke down, in NaN or overflow, the footprint is a point.
+    const float texels = 0.691f * static_cast<float>(equivalentFaceSize_);  // to the radian
+    float width = glm::length(dx) * texels, height = glm::length(dy) * texels;
+    if (!(width < 1e6f) || !(height < 1e6f)) return look(turned(direction), 0.0f);
+    const float widest = kWidest * texels;
+    if (width > widest) dx *= widest / width, width = widest;
+    if (height > widest) dy *= widest / height, height = widest;
+    int across = std::clamp(static_cast<int>(width + 0.5f), 1, 64);
+    int down = std::clamp(static_cast<int>(height + 0.5f), 1, 64);
+    while (across * down > mostLookUps) {
+        if (across > 1 &&
+            (down == 1 || width * static_cast<float>(down) < height * static_cast<float>(across))) {
+            --across;
+        } else {
+            --down;
+        }
+    }
+    const float step =
+        std::max(width / static_cast<float>(across), height / static_cast<float>(down));
+    const float level =
+        std::clamp(std::log2(std::max(step, 1.0f)), 0.0f, static_cast<float>(kLevels - 1));
+    const glm::vec3 d = turned(direction);
+    if (across * down == 1) return look(d, level);
+    const glm::vec3 stepX = turned(dx) / static_cast<float>(across);
+    const glm::vec3 stepY = turned(dy) / static_cast<float>(down);
+    const glm::vec3 first = d - 0.5f * static_cast<float>(across - 1) * stepX -
+                            0.5f * static_cast<float>(down - 1) * stepY;
+    glm::vec3 sum(0.0f);
+    for (int j = 0; j < down; ++j) {
+        glm::vec3 at = first + static_cast<float>(j) * stepY;
+        for (int i = 0; i < across; ++i, at += stepX) sum += look(at, level);
+    }
+    return sum / static_cast<float>(across * down);
 }
 
 }  // namespace tukor::trace

@@ -22,6 +22,11 @@ public:
     /// `direction` is unit. Footprints below a texel are points.
     [[nodiscard]] glm::vec3 radiance(glm::vec3 direction, float solidAngle) const noexcept;
 
+    /// The mean over the parallelogram of directions that `dx` and `dy` span, `direction` in its
+    /// middle, from at most `mostLookUps` points; over more than half a radian only of that.
+    [[nodiscard]] glm::vec3 radiance(glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
+                                     int mostLookUps) const noexcept;
+
     struct alignas(16) Texel {
         float r, g, b, unused;
     };
@@ -42,6 +47,8 @@ private:
     EnvironmentMap(Form form, float rotation);
     void addCubeLevel(const CubeMap& cube, float intensity);
     void addPanoramaLevel(std::vector<glm::vec3>& pixels, int width, int height);
+    [[nodiscard]] glm::vec3 turned(glm::vec3 direction) const noexcept;
+    [[nodiscard]] glm::vec3 look(glm::vec3 turnedDirection, float level) const noexcept;
     [[nodiscard]] Place placeOf(glm::vec3 direction) const noexcept;
     [[nodiscard]] Texel bilinear(const Level& level, const Place& place) const noexcept;
 

@@ -58,7 +58,26 @@ TEST(EnvironmentMap, WideFootprintsSeeMeans) {
         EXPECT_NEAR(checker.radiance(d, 0.05f).x, 0.5f, 1e-3f);
         const glm::vec3 wide = cube.radiance(d, 10.0f), widest = cube.radiance(d, 1e9f);
         EXPECT_EQ(wide, widest);
+        EXPECT_EQ(checker.radiance(d, glm::vec3(0.0f), glm::vec3(0.0f), 16),
+                  checker.radiance(d, 0.0f));
     }
+}
+
+TEST(EnvironmentMap, LongFootprintsSeeTheMeanAlongThem) {
+    // A bright half: across the edge half of the light, along it all or nothing.
+    Image panorama(256, 128);
+    for (int row = 0; row < 64; ++row) {
+        for (int column = 0; column < 256; ++column) panorama.at(column, row) = glm::vec3(1.0f);
+    }
+    const EnvironmentMap map(panorama, 0.0f, 1.0f);
+    const glm::vec3 up(0, 0.2f, 0), right(0.2f, 0, 0), none(0.0f);
+    EXPECT_NEAR(map.radiance({0, 0, -1}, up, none, 16).x, 0.5f, 0.01f);
+    EXPECT_NEAR(map.radiance(glm::normalize(glm::vec3(0, 0.05f, -1)), right, none, 16).x, 1.0f,
+                0.01f);
+    EXPECT_NEAR(map.radiance(glm::normalize(glm::vec3(0, 0.05f, -1)), up, none, 16).x, 0.75f,
+                0.03f);
+    const float nan = std::nanf("");
+    EXPECT_TRUE(std::isfinite(map.radiance({0, 0, -1}, glm::vec3(nan), right, 16).x));
 }
 
 TEST(Sampler, PrefixesAreStratified) {

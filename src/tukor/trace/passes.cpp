@@ -14,6 +14,9 @@ constexpr int kTile = 16;
 // Camera samples traced together: a tile at 16 samples a pixel; keeps the sums of longer passes in
 // the cache.
 constexpr std::size_t kBatch = 4096;
+// Of the distance of neighbouring samples: at 1 the picture is blurred by what samples overlap,
+// more than the error estimate can see; below 0.5 samples miss what lies between them.
+constexpr float kFootprint = 0.7f;
 
 }  // namespace
 
@@ -101,7 +104,7 @@ void Passes::tile(int number) {
         // Pictures of fixed samples are as sharp as these allow; otherwise at least as four do.
         const std::uint32_t density =
             goals_.error || goals_.timeSeconds ? std::max(job.to, 4u) : goals_.samples;
-        const float jobScale = 1.0f / std::sqrt(static_cast<float>(density));
+        const float jobScale = kFootprint / std::sqrt(static_cast<float>(density));
         if (jobScale != scale && !batch.empty()) flush();
         scale = jobScale;
         for (std::uint32_t s = job.from; s < job.to; ++s) {

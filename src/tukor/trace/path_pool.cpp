@@ -14,6 +14,8 @@ namespace {
 // cache.
 constexpr std::size_t kPaths = 64;
 
+constexpr int kMostLookUps = 16;  // of one deposit: more cost more than a ray
+
 }  // namespace
 
 PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {}
@@ -64,8 +66,12 @@ void PathPool::castCameraRays(std::span<const CameraSample> samples, float footp
 
 void PathPool::collect(Path& path, const transport::Deposits& deposits) const noexcept {
     const auto look = [&](const transport::Deposit& deposit) {
+        // As much care as it is worth: what is seen through many events counts little.
+        const float weight = std::min(transport::heaviness(deposit.throughput), 1.0f);
+        const int lookUps = 1 + static_cast<int>(kMostLookUps * weight);
         path.radiance +=
-            deposit.throughput * frame_.environment.radiance(deposit.direction, deposit.solidAngle);
+            deposit.throughput * frame_.environment.radiance(deposit.direction, deposit.directionX,
+                                                             deposit.directionY, lookUps);
     };
     if (deposits.count > 0) look(deposits.first);
     if (deposits.count > 1) look(deposits.second);
@@ -139,8 +145,14 @@ void PathPool::trace(std::span<const CameraSample> samples, float footprintScale
         }
     };
 
+    const auto meetAll = [&](std::size_t begin, const std::array<RayHit, kPacketWidth>& hits,
+                             std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) meet(paths_[live[begin + i]], hits[i]);
+    };
+
     RayPacket packet;
-    std::array<RayHit, kPacketWidth> hits;
+    // While a packet is cast, the triangles that the one before has met arrive in the cache.
+    std::array<RayHit, kPacketWidth> hits, before;
     for (refill(); alive > 0; refill()) {
         for (std::size_t begin = 0; begin < alive; begin += kPacketWidth) {
             const std::size_t count = std::min<std::size_t>(kPacketWidth, alive - begin);
@@ -151,7 +163,10 @@ void PathPool::trace(std::span<const CameraSample> samples, float footprintScale
                 ++tree.rays;
             }
             frame_.caster.cast(packet, static_cast<int>(count), Coherence::none, hits);
-            for (std::size_t i = 0; i < count; ++i) meet(paths_[live[begin + i]], hits[i]);
+            for (std::size_t i = 0; i < count; ++i) frame_.surfaces.prefetch(hits[i]);
+            if (begin > 0) meetAll(begin - kPacketWidth, before, kPacketWidth);
+            before = hits;
+            if (begin + kPacketWidth >= alive) meetAll(begin, hits, count);
         }
         for (std::size_t i = 0; i < alive;) {
             if (wantsRay(paths_[live[i]])) {

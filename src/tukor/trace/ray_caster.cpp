@@ -48,15 +48,14 @@ struct RayCaster::Embree {
     }
 
     void add(const SurfaceTable::Entry& entry) {
-        if (entry.triangles.empty()) return;
+        if (entry.indices.empty()) return;
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        // Embree reads 16 bytes at a vertex' position: there are 24.
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                   entry.vertices.data(), 0, sizeof(SurfaceTable::Vertex),
-                                   entry.vertices.size());
+                                   entry.positions.data(), 0, sizeof(glm::vec3),
+                                   entry.positions.size() - 1);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                   entry.triangles.data(), 0, sizeof(glm::uvec3),
-                                   entry.triangles.size());
+                                   entry.indices.data(), 0, sizeof(glm::uvec3),
+                                   entry.indices.size());
         rtcSetGeometryUserData(
             geometry, reinterpret_cast<void*>(static_cast<std::uintptr_t>(entry.firstTriangle)));
         rtcSetGeometryIntersectFilterFunction(geometry, skipOwnTriangle);

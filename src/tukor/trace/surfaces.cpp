@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/parallel.h"
 
 namespace tukor::trace {
 
@@ -24,6 +25,20 @@ std::vector<Surface> surfacesOf(const Scene& scene, const MediaTable& table) {
             {&scene.parts[i].mesh, scene.parts[i].material, medium < 0 ? 0u : 1u << medium, 0u});
     }
     return surfaces;
+}
+
+SurfaceTable::Triangle triangleOf(const Mesh& mesh, glm::uvec3 corners) {
+    const auto normal = [&](unsigned i) {
+        return i < mesh.normals.size() ? mesh.normals[i] : glm::vec3(0.0f);
+    };
+    SurfaceTable::Triangle t;
+    t.v0 = mesh.positions[corners.x];
+    t.e1 = mesh.positions[corners.y] - t.v0;
+    t.e2 = mesh.positions[corners.z] - t.v0;
+    t.n0 = normal(corners.x);
+    t.normalE1 = normal(corners.y) - t.n0;
+    t.normalE2 = normal(corners.z) - t.n0;
+    return t;
 }
 
 }  // namespace
@@ -44,20 +59,23 @@ SurfaceTable::SurfaceTable(const std::vector<Surface>& surfaces,
     for (const Surface& surface : surfaces) {
         Entry& entry = entries_.emplace_back();
         const Mesh& mesh = *surface.mesh;
-        entry.vertices.resize(mesh.positions.size());
-        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-            entry.vertices[i] = {mesh.positions[i],
-                                 i < mesh.normals.size() ? mesh.normals[i] : glm::vec3(0.0f)};
-        }
-        entry.triangles = mesh.triangles;
-        entry.material = surface.material;
-        entry.inside = surface.inside;
-        entry.outside = surface.outside;
         entry.firstTriangle = static_cast<int>(triangles);
         triangles += mesh.triangles.size();
         if (triangles > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
             throw Error(fmt::format("{} triangles; at most 2^31 can be rendered", triangles));
         }
+        entry.positions = mesh.positions;
+        entry.positions.emplace_back(0.0f);
+        entry.indices = mesh.triangles;
+        entry.triangles.resize(mesh.triangles.size());
+        parallelFor(0, static_cast<int>(mesh.triangles.size()), 4096, [&](int begin, int end) {
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+                entry.triangles[i] = triangleOf(mesh, mesh.triangles[i]);
+            }
+        });
+        entry.material = surface.material;
+        entry.inside = surface.inside;
+        entry.outside = surface.outside;
         const Bounds one = boundsOf(mesh);
         if (!one.empty()) {
             bounds_.include(one.least);
@@ -71,10 +89,8 @@ glm::vec3 SurfaceTable::centre(int number) const noexcept {
         std::upper_bound(entries_.begin(), entries_.end(), number,
                          [](int n, const Entry& entry) { return n < entry.firstTriangle; });
     const Entry& entry = *std::prev(after);
-    const glm::uvec3 t = entry.triangles[static_cast<std::size_t>(number - entry.firstTriangle)];
-    return (entry.vertices[t.x].position + entry.vertices[t.y].position +
-            entry.vertices[t.z].position) /
-           3.0f;
+    const Triangle& t = entry.triangles[static_cast<std::size_t>(number - entry.firstTriangle)];
+    return t.v0 + (t.e1 + t.e2) / 3.0f;
 }
 
 }  // namespace tukor::trace

@@ -21,6 +21,8 @@ struct Deposit {
     vec3 throughput;
     vec3 direction;    // unit
     float solidAngle;  // of the footprint, sr
+    vec3 directionX;   // change of `direction` over the footprint's width
+    vec3 directionY;   // and height
 };
 
 /// Up to two look-ups, the most that one event asks for.
@@ -39,6 +41,8 @@ TUKOR_FN Deposit depositOf(Branch branch) {
     d.throughput = branch.throughput;
     d.direction = branch.direction;
     d.solidAngle = footprintSolidAngle(branch.footprint);
+    d.directionX = branch.footprint.directionX;
+    d.directionY = branch.footprint.directionY;
     return d;
 }
 
@@ -48,6 +52,8 @@ TUKOR_FN Deposits noDeposits() {
     all.first.throughput = vec3(0.0f);
     all.first.direction = vec3(0.0f);
     all.first.solidAngle = 0.0f;
+    all.first.directionX = vec3(0.0f);
+    all.first.directionY = vec3(0.0f);
     all.second = all.first;
     return all;
 }

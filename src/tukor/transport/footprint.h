@@ -71,32 +71,41 @@ TUKOR_FN vec3 normalChange(SurfaceHit hit, Facing face, vec3 dp) {
     return change - dot(change, face.n) * face.n;
 }
 
+/// The change of the shading normal over a footprint, per pixel in x and y.
+struct NormalChange {
+    vec3 x;
+    vec3 y;
+};
+
+TUKOR_FN NormalChange normalChangeOver(Footprint f, SurfaceHit hit, Facing face) {
+    NormalChange n;
+    n.x = normalChange(hit, face, f.originX);
+    n.y = normalChange(hit, face, f.originY);
+    return n;
+}
+
 /// After reflection of `d` at the surface; `f` is the footprint at the surface.
-TUKOR_FN Footprint reflectedFootprint(Footprint f, SurfaceHit hit, Facing face, vec3 d) {
-    vec3 nx = normalChange(hit, face, f.originX);
-    vec3 ny = normalChange(hit, face, f.originY);
+TUKOR_FN Footprint reflectedFootprint(Footprint f, NormalChange n, Facing face, vec3 d) {
     float c = dot(d, face.n);
-    float cx = dot(f.directionX, face.n) + dot(d, nx);
-    float cy = dot(f.directionY, face.n) + dot(d, ny);
-    f.directionX = f.directionX - 2.0f * (c * nx + cx * face.n);
-    f.directionY = f.directionY - 2.0f * (c * ny + cy * face.n);
+    float cx = dot(f.directionX, face.n) + dot(d, n.x);
+    float cy = dot(f.directionY, face.n) + dot(d, n.y);
+    f.directionX = f.directionX - 2.0f * (c * n.x + cx * face.n);
+    f.directionY = f.directionY - 2.0f * (c * n.y + cy * face.n);
     return f;
 }
 
 /// After refraction of `d` into a medium of `eta` = etaT / etaI.
-TUKOR_FN Footprint refractedFootprint(Footprint f, SurfaceHit hit, Facing face, vec3 d, float eta,
+TUKOR_FN Footprint refractedFootprint(Footprint f, NormalChange n, Facing face, vec3 d, float eta,
                                       float cosThetaT) {
-    vec3 nx = normalChange(hit, face, f.originX);
-    vec3 ny = normalChange(hit, face, f.originY);
     float r = 1.0f / eta;
     float c = dot(d, face.n);
     float ct = -max(cosThetaT, 0.02f);  // the derivative is infinite at the critical angle
     float m = r * c - ct;
     float dm = r - r * r * c / ct;
-    float cx = dot(f.directionX, face.n) + dot(d, nx);
-    float cy = dot(f.directionY, face.n) + dot(d, ny);
-    f.directionX = r * f.directionX - (m * nx + (dm * cx) * face.n);
-    f.directionY = r * f.directionY - (m * ny + (dm * cy) * face.n);
+    float cx = dot(f.directionX, face.n) + dot(d, n.x);
+    float cy = dot(f.directionY, face.n) + dot(d, n.y);
+    f.directionX = r * f.directionX - (m * n.x + (dm * cx) * face.n);
+    f.directionY = r * f.directionY - (m * n.y + (dm * cy) * face.n);
     return f;
 }
 

@@ -92,18 +92,18 @@ TUKOR_FN Deposits escape(TUKOR_INOUT(Tree) tree) {
     return deposits;
 }
 
-TUKOR_FN Branch reflectedBranch(Branch at, SurfaceHit hit, Encounter met, Scattering s) {
+TUKOR_FN Branch reflectedBranch(Branch at, NormalChange change, Encounter met, Scattering s) {
     Branch branch = at;
-    branch.footprint = reflectedFootprint(at.footprint, hit, met.face, at.direction);
+    branch.footprint = reflectedFootprint(at.footprint, change, met.face, at.direction);
     branch.direction = s.reflected;
     branch.throughput = at.throughput * s.R;
     return branch;
 }
 
-TUKOR_FN Branch refractedBranch(Branch at, SurfaceHit hit, Encounter met, Scattering s) {
+TUKOR_FN Branch refractedBranch(Branch at, NormalChange change, Encounter met, Scattering s) {
     Branch branch = at;
     branch.footprint =
-        refractedFootprint(at.footprint, hit, met.face, at.direction, s.eta, s.cosThetaT);
+        refractedFootprint(at.footprint, change, met.face, at.direction, s.eta, s.cosThetaT);
     branch.direction = s.refracted;
     branch.throughput = at.throughput * s.T;
     branch.media = met.beyond;
@@ -112,20 +112,20 @@ TUKOR_FN Branch refractedBranch(Branch at, SurfaceHit hit, Encounter met, Scatte
 
 /// The levels below exact: look-ups at the first surface (lecture rows 10 and 11), or reflection at
 /// the first and refraction, whole, at the second. `at` lies on the surface.
-TUKOR_FN Deposits scatterOnLadder(TUKOR_INOUT(Tree) tree, Branch at, SurfaceHit hit, Encounter met,
-                                  Scattering s, int fidelity) {
+TUKOR_FN Deposits scatterOnLadder(TUKOR_INOUT(Tree) tree, Branch at, NormalChange change, int kind,
+                                  Encounter met, Scattering s, int fidelity) {
     Deposits deposits = noDeposits();
     bool first = at.depth == 1;
     if (!first && s.T > 0.0f) {
         s.T = 1.0f;
-    } else if (!first && hit.kind == kDielectric) {
+    } else if (!first && kind == kDielectric) {
         s.R = vec3(1.0f);
     }
     if (first || s.T <= 0.0f) {
-        addDeposit(deposits, depositOf(reflectedBranch(at, hit, met, s)));
+        addDeposit(deposits, depositOf(reflectedBranch(at, change, met, s)));
     }
     if (s.T > 0.0f) {
-        Branch refracted = refractedBranch(at, hit, met, s);
+        Branch refracted = refractedBranch(at, change, met, s);
         if (first && fidelity == kFidelityTwo) {
             tree.branch = refracted;
             return deposits;
@@ -179,25 +179,26 @@ TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met,
     } else {
         s = opaqueScattering(hit, met.face, at.direction, from.eta, settings.fresnel);
     }
+    NormalChange change = normalChangeOver(at.footprint, hit, met.face);
     if (settings.fidelity != kFidelityExact) {
-        return scatterOnLadder(tree, at, hit, met, s, settings.fidelity);
+        return scatterOnLadder(tree, at, change, hit.kind, met, s, settings.fidelity);
     }
 
     Deposits deposits = noDeposits();
     if (s.T <= 0.0f) {
-        tree.branch = reflectedBranch(at, hit, met, s);
+        tree.branch = reflectedBranch(at, change, met, s);
     } else if (heaviness(at.throughput) < settings.splitWeight) {
         bool reflects = nextRandom(tree) < s.R.x;
         s.R = vec3(1.0f);
         s.T = 1.0f;
         if (reflects) {
-            tree.branch = reflectedBranch(at, hit, met, s);
+            tree.branch = reflectedBranch(at, change, met, s);
         } else {
-            tree.branch = refractedBranch(at, hit, met, s);
+            tree.branch = refractedBranch(at, change, met, s);
         }
     } else {
-        deposits = splitBranch(tree, refractedBranch(at, hit, met, s),
-                               reflectedBranch(at, hit, met, s), settings.weightCutoff);
+        deposits = splitBranch(tree, refractedBranch(at, change, met, s),
+                               reflectedBranch(at, change, met, s), settings.weightCutoff);
     }
 
     float weight = heaviness(tree.branch.throughput);
