@@ -103,9 +103,9 @@ TUKOR_FN float bvhReciprocal(float x) {
     return 1.0f / (abs(x) < 1e-12f ? (x < 0.0f ? -1e-12f : 1e-12f) : x);
 }
 
-TUKOR_FN vec4 bvhBytes(uint packed) {
-    return vec4(float(packed & 255u), float((packed >> 8u) & 255u), float((packed >> 16u) & 255u),
-                float(packed >> 24u));
+TUKOR_FN vec4 bvhBytes(uint word) {
+    return vec4(float(word & 255u), float((word >> 8u) & 255u), float((word >> 16u) & 255u),
+                float(word >> 24u));
 }
 
 TUKOR_FN float bvhScale(uint exponents, uint axis) {

@@ -69,19 +69,21 @@ BackgroundDrawer::Shell BackgroundDrawer::makeShell(Background background) {
 
 void BackgroundDrawer::draw(Background background, const View& view,
                             const glm::mat3& environmentFromWorld, glm::vec2 footprintMiddle,
-                            int faceSize) {
+                            const EnvironmentTexture& environment) {
     if (background == Background::none) return;
     const bool quad = background == Background::quad;
-    std::unique_ptr<Program>& slot = quad ? quad_ : shell_;
-    if (!slot)
-        slot = std::make_unique<Program>(
-            quad ? shaders::backgroundVert : shaders::backgroundShellVert, shaders::backgroundFrag);
-    const Program& program = *slot;
+    const auto key = std::pair(quad, environment.define());
+    if (!programs_.contains(key))
+        programs_.emplace(key,
+                          Program(quad ? shaders::backgroundVert : shaders::backgroundShellVert,
+                                  shaders::backgroundFrag, environment.define()));
+    const Program& program = programs_.at(key);
     program.set("environment", 0);
     program.set("footprintMiddle", footprintMiddle);
     // The smallest texels, at a face's corners, see 2 / (3 sqrt 3) times the angle of the middle's
     // 2 / faceSize; wide pictures have smaller pixels away from the centre.
-    program.set("magnified", view.pixelAngle * static_cast<float>(faceSize) < 0.77f ? 1 : 0);
+    program.set("magnified",
+                view.pixelAngle * static_cast<float>(environment.faceSize()) < 0.77f ? 1 : 0);
     const glm::mat4 rayFromWorld(environmentFromWorld);
     if (quad) {
         program.set("rayDirMatrix", rayFromWorld * view.rayDirMatrix);

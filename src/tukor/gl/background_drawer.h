@@ -1,7 +1,9 @@
 // The environment behind the scene: full-viewport quad, sky box, sky dome.
 #pragma once
-#include <memory>
+#include <map>
+#include <string_view>
 
+#include "tukor/gl/environment_texture.h"
 #include "tukor/gl/handles.h"
 #include "tukor/gl/program.h"
 #include "tukor/gl/view.h"
@@ -12,9 +14,8 @@ namespace tukor::gl {
 class BackgroundDrawer {
 public:
     /// Draws into the bound framebuffer at NDC depth 0.999, with the environment in texture unit 0.
-    /// `faceSize` is the environment's.
     void draw(Background background, const View& view, const glm::mat3& environmentFromWorld,
-              glm::vec2 footprintMiddle, int faceSize);
+              glm::vec2 footprintMiddle, const EnvironmentTexture& environment);
 
 private:
     /// Triangles around the origin, of any radius.
@@ -25,8 +26,8 @@ private:
     };
     [[nodiscard]] static Shell makeShell(Background background);
 
-    std::unique_ptr<Program> quad_;
-    std::unique_ptr<Program> shell_;
+    /// Compiled when first used; by shape and kind of environment.
+    std::map<std::pair<bool, std::string_view>, Program> programs_;
     Shell box_;
     Shell dome_;
 };

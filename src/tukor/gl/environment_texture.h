@@ -1,34 +1,45 @@
-// The environment as a cube texture of half floats.
+// The environment as a texture of half floats: the panorama it came from, or else its cube map.
 #pragma once
-#include "tukor/environment/cube_map.h"
+#include <string_view>
+
+#include "tukor/environment/environment.h"
 #include "tukor/gl/handles.h"
 
 namespace tukor::gl {
+
+/// What is made ready: `single` does without the mip levels of the environment and without a tree
+/// over the triangles.
+enum class Preparation { single, all };
 
 /// Level 0 is filled at once, the mip levels when they are first asked for: only `exact` reads
 /// them.
 class EnvironmentTexture {
 public:
     EnvironmentTexture() = default;
-    explicit EnvironmentTexture(const CubeMap& cube);
+    EnvironmentTexture(const Environment& environment, Preparation preparation);
 
     /// Binds it to a texture unit, counted from 0.
     void bind(int unit) const;
 
-    /// Fills the levels above 0 with means over solid angle of the map it was made from, once.
-    void needLevels(const CubeMap& cube);
+    /// For shaders with `uniform environment`: which of the two it is, as a #define.
+    [[nodiscard]] std::string_view define() const noexcept {
+        return panorama_ ? "#define PANORAMA 1\n" : "#define PANORAMA 0\n";
+    }
 
     /// Radiance is a texel times this power of two: half floats end at 65504, suns do not.
     [[nodiscard]] float scale() const noexcept { return scale_; }
+
+    /// Texels per edge of a cube map with as many texels to the degree.
     [[nodiscard]] int faceSize() const noexcept { return faceSize_; }
-    [[nodiscard]] int levels() const noexcept { return levels_; }
 
 private:
+    void uploadPanorama(const Image& panorama, Preparation preparation);
+    void uploadCube(const CubeMap& cube, Preparation preparation);
+
     Texture texture_;
+    bool panorama_ = false;
     float scale_ = 1.0f;
     int faceSize_ = 0;
-    int levels_ = 1;
-    bool filled_ = false;
 };
 
 }  // namespace tukor::gl

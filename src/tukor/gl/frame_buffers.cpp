@@ -81,16 +81,20 @@ void FrameBuffers::endMultisampled() {
     glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, 2, finished);
 }
 
-void FrameBuffers::bindNextSum() {
+void FrameBuffers::bindNextSum(Counting counting) {
     const int next = 1 - current_;
-    if (sums_[next].id() == 0) {
-        sums_[next] = makePicture(GL_RGBA32F, width_, height_);
+    const auto attach = [&](Texture& texture, GLenum attachment) {
+        texture = makePicture(GL_RGBA32F, width_, height_);
         glBindFramebuffer(GL_FRAMEBUFFER, sumFramebuffers_[next].id());
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                               sums_[next].id(), 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.id(), 0);
         requireComplete(width_, height_);
-    }
+    };
+    if (sums_[next].id() == 0) attach(sums_[next], GL_COLOR_ATTACHMENT0);
+    if (counting == Counting::all && counts_[next].id() == 0)
+        attach(counts_[next], GL_COLOR_ATTACHMENT1);
     glBindFramebuffer(GL_FRAMEBUFFER, sumFramebuffers_[next].id());
+    const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(counting == Counting::all ? 2 : 1, both);
 }
 
 void FrameBuffers::bindSumForReading() const {

@@ -5,6 +5,9 @@
 
 namespace tukor::gl {
 
+/// Whether rays, leaks and the like are counted, into a second picture.
+enum class Counting { none, all };
+
 class FrameBuffers {
 public:
     FrameBuffers() = default;
@@ -20,13 +23,16 @@ public:
     /// Resolves what was drawn since begin; frame() has it then.
     void endMultisampled();
 
-    /// Binds the target of the next sum; sum() is the one before until swapSums().
-    void bindNextSum();
+    /// Binds the target of the next sum, and of the next counts where they are wanted; sum() is
+    /// the one before until swapSums().
+    void bindNextSum(Counting counting);
     void swapSums() noexcept { current_ = 1 - current_; }
 
     [[nodiscard]] const Texture& frame() const noexcept { return frame_; }
     [[nodiscard]] const Texture& sum() const noexcept { return sums_[current_]; }
-    /// Binds the sum for glReadPixels.
+    /// Sums of what was counted; black unless it was.
+    [[nodiscard]] const Texture& counts() const noexcept { return counts_[current_]; }
+    /// Binds the sum for glReadPixels, as its first attachment; counts are the second.
     void bindSumForReading() const;
 
 private:
@@ -44,6 +50,7 @@ private:
     Target multisampled_;
     Target plain_;
     Texture sums_[2];
+    Texture counts_[2];
     Framebuffer sumFramebuffers_[2];
 };
 

@@ -139,6 +139,13 @@ void Program::set(std::string_view name, glm::vec4 value) const {
 void Program::set(std::string_view name, glm::ivec2 value) const {
     glUniform2iv(location(name), 1, glm::value_ptr(value));
 }
+void Program::set(std::string_view name, std::uint32_t value) const {
+    glUniform1ui(location(name), value);
+}
+void Program::set(std::string_view name, std::span<const glm::vec4> values) const {
+    if (values.empty()) return;
+    glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values.front().x);
+}
 void Program::set(std::string_view name, const glm::mat3& value) const {
     glUniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

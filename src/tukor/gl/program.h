@@ -1,6 +1,8 @@
 // Shader programs: compiled, linked, with uniforms set by name.
 #pragma once
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,11 +27,14 @@ public:
     /// Sets a uniform and makes the program current. A name that no shader uses is ignored:
     /// compilers drop uniforms.
     void set(std::string_view name, int value) const;
+    void set(std::string_view name, std::uint32_t value) const;
     void set(std::string_view name, float value) const;
     void set(std::string_view name, glm::vec2 value) const;
     void set(std::string_view name, glm::vec3 value) const;
     void set(std::string_view name, glm::vec4 value) const;
     void set(std::string_view name, glm::ivec2 value) const;
+    /// An array; `name` ends with [0].
+    void set(std::string_view name, std::span<const glm::vec4> values) const;
     void set(std::string_view name, const glm::mat3& value) const;
     void set(std::string_view name, const glm::mat4& value) const;
 

@@ -34,10 +34,11 @@ Rendering render(const Scene& scene, const Environment& environment, const Camer
                  const RenderOptions& options, const Progress& progress) {
     const Context context;
     Renderer renderer;
-    renderer.setScene(scene);
-    renderer.setEnvironment(environment, options.fidelity == Fidelity::single
-                                             ? EnvironmentLevels::finest
-                                             : EnvironmentLevels::all);
+    const bool single = options.fidelity == Fidelity::single;
+    const Preparation preparation = single ? Preparation::single : Preparation::all;
+    renderer.setScene(scene, preparation);
+    renderer.setEnvironment(environment, preparation);
+    renderer.setCounting(single ? Counting::none : Counting::all);
     FrameOptions frame;
     frame.picture = options;
     const int samples = options.samples.value_or(kDefaultSamples);
@@ -55,20 +56,25 @@ Rendering render(const Scene& scene, const Environment& environment, const Camer
     for (std::size_t i = 0; i < windows.size(); ++i) {
         do {
             renderer.drawFrame(camera, frame, windows[i]);
-            const float part = std::min(1.0f, static_cast<float>(renderer.accumulatedSamples()) /
-                                                  static_cast<float>(samples));
+            const float share = std::min(1.0f, static_cast<float>(renderer.accumulatedSamples()) /
+                                                   static_cast<float>(samples));
             if (progress)
-                stopped = !progress((static_cast<float>(i) + part) /
+                stopped = !progress((static_cast<float>(i) + share) /
                                     static_cast<float>(windows.size())) ||
                           stopped;
         } while (!stopped && renderer.accumulatedSamples() < samples);
-        if (windows.size() == 1) return renderer.read();
+        const Rendering part = renderer.read();
+        if (windows.size() == 1) return part;
         if (i == 0) {
             whole.radiance = Image(options.width, options.height);
             if (options.background == Background::none)
                 whole.radiance.alpha.resize(whole.radiance.pixels().size());
         }
-        copyInto(whole, renderer.read(), windows[i]);
+        copyInto(whole, part, windows[i]);
+        whole.rays += part.rays;
+        whole.leaks += part.leaks;
+        whole.inconsistencies += part.inconsistencies;
+        whole.truncated += part.truncated;
         if (stopped) break;
     }
     return whole;

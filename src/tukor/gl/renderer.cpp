@@ -47,11 +47,12 @@ void bindTexture(int unit, const Texture& texture) {
 
 }  // namespace
 
-void Renderer::setScene(const Scene& scene) {
+void Renderer::setScene(const Scene& scene, Preparation preparation) {
     bounds_ = boundsOf(scene);
     materials_.clear();
     for (const Part& part : scene.parts) materials_.push_back(part.material);
     surfaces_ = SurfaceBuffers(scene);
+    tracedScene_ = preparation == Preparation::all ? TracedScene(scene) : TracedScene();
     resetAccumulation();
     throwPendingErrors("uploading the model");
 }
@@ -59,12 +60,12 @@ void Renderer::setScene(const Scene& scene) {
 void Renderer::setMaterial(int part, const Material& material) {
     TUKOR_ASSERT(part >= 0 && part < surfaces_.parts());
     materials_[static_cast<std::size_t>(part)] = material;
+    if (tracedScene_.ready()) tracedScene_.setMaterials(materials_);
     resetAccumulation();
 }
 
-void Renderer::setEnvironment(const Environment& environment, EnvironmentLevels levels) {
-    environment_ = EnvironmentTexture(environment.radiance);
-    if (levels == EnvironmentLevels::all) environment_.needLevels(environment.radiance);
+void Renderer::setEnvironment(const Environment& environment, Preparation preparation) {
+    environment_ = EnvironmentTexture(environment, preparation);
     resetAccumulation();
     throwPendingErrors("uploading the environment");
 }
@@ -84,76 +85,114 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
     if (buffers_.width() != window.width || buffers_.height() != window.height)
         buffers_ = FrameBuffers(window.width, window.height);
 
-    // The look-ups tile the pixel: see surface.frag. A plain frame looks from anywhere in the pixel
-    // and its look-ups move half as far as it does; a multisampled one has its own spread already
-    // and moves only within the quarter that each of its samples stands for.
-    const bool multisampled =
-        frames_ < kMultisampledFrames && options.picture.samples.value_or(0) < 32;
-    const int planned =
-        (options.picture.samples.value_or(0) + kSamplesPerFrame - 1) / kSamplesPerFrame;
+    const std::vector<Look> looks = looksOf(subject);
+    const bool rasterised = std::any_of(looks.begin(), looks.end(), [](const Look& look) {
+        return look.fidelity == Fidelity::single;
+    });
+    const bool traced = std::any_of(looks.begin(), looks.end(), [](const Look& look) {
+        return look.fidelity != Fidelity::single;
+    });
+    const int perFrame = traced ? 1 : kSamplesPerFrame;
+    const int planned = (options.picture.samples.value_or(0) + perFrame - 1) / perFrame;
     const glm::vec2 point = frames_ < planned ? evenPoint(frames_, planned) : evenPoint(frames_);
-    const glm::vec2 jitter = multisampled ? 0.25f * point : point;
-    const glm::vec2 footprintMiddle = 0.5f * point - jitter;
 
     glViewport(0, 0, window.width, window.height);
     glDisable(GL_SCISSOR_TEST);
+    if (rasterised) drawRasterised(subject, looks, point);
+    buffers_.bindNextSum(rasterised ? Counting::none : counting_);
+    setState(false);
+    for (const Look& look : looks) {
+        if (look.fidelity == Fidelity::single)
+            accumulate(look);
+        else
+            drawTraced(subject, look, point);
+    }
+    buffers_.swapSums();
+    ++frames_;
+    samples_ += perFrame;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    throwPendingErrors("drawing a frame");
+}
+
+std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {
+    const RenderOptions& picture = subject.options.picture;
+    const int width = subject.window.width;
+    if (!subject.options.comparison) return {{picture.fidelity, picture.fresnel, 0, width}};
+    const Comparison& other = *subject.options.comparison;
+    const auto column =
+        static_cast<int>(std::lround(other.splitX * static_cast<float>(subject.window.fullWidth)));
+    const int split = std::clamp(column - subject.window.left, 0, width);
+    std::vector<Look> looks;
+    if (split > 0) looks.push_back({picture.fidelity, picture.fresnel, 0, split});
+    if (split < width) looks.push_back({other.fidelity, other.fresnel, split, width});
+    return looks;
+}
+
+void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& looks,
+                              glm::vec2 point) {
+    // The look-ups tile the pixel. A plain frame looks from anywhere in the pixel and its look-ups
+    // move half as far as it does; a multisampled one has its own spread already and moves only
+    // within the quarter that each of its samples stands for.
+    const RenderOptions& picture = subject.options.picture;
+    const bool multisampled = frames_ < kMultisampledFrames && picture.samples.value_or(0) < 32;
+    const glm::vec2 jitter = multisampled ? 0.25f * point : point;
+    const glm::vec2 footprintMiddle = 0.5f * point - jitter;
+    const View view = viewOf(subject.camera, subject.window, jitter, bounds_);
+    const glm::mat3 turn = environmentFromWorld(picture.environmentRotation);
+
     setState(true);
     if (multisampled)
         buffers_.beginMultisampled();
     else
         buffers_.beginPlain();
     environment_.bind(0);
-
-    const RenderOptions& picture = options.picture;
-    if (!options.comparison) {
-        drawLook(picture.fidelity, picture.fresnel, subject, jitter, footprintMiddle);
-    } else {
-        const Comparison& other = *options.comparison;
-        const int split = std::clamp(
-            static_cast<int>(std::lround(other.splitX * static_cast<float>(window.fullWidth))) -
-                window.left,
-            0, window.width);
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(0, 0, split, window.height);
-        drawLook(picture.fidelity, picture.fresnel, subject, jitter, footprintMiddle);
-        glScissor(split, 0, window.width - split, window.height);
-        drawLook(other.fidelity, other.fresnel, subject, jitter, footprintMiddle);
-        glDisable(GL_SCISSOR_TEST);
-    }
-
-    if (multisampled) buffers_.endMultisampled();
-    accumulate();
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    throwPendingErrors("drawing a frame");
-}
-
-void Renderer::drawLook(Fidelity, FresnelForm fresnel, const Subject& subject, glm::vec2 jitter,
-                        glm::vec2 footprintMiddle) {
-    const RenderOptions& picture = subject.options.picture;
-    const View view = viewOf(subject.camera, subject.window, jitter, bounds_);
-    const glm::mat3 turn = environmentFromWorld(picture.environmentRotation);
     const auto drawBackground = [&] {
-        background_.draw(picture.background, view, turn, footprintMiddle, environment_.faceSize());
+        background_.draw(picture.background, view, turn, footprintMiddle, environment_);
     };
-    if (subject.options.backgroundOrder == BackgroundOrder::first) drawBackground();
-    single_.draw(surfaces_, materials_, fresnel, view, turn, footprintMiddle);
-    if (subject.options.backgroundOrder == BackgroundOrder::last) drawBackground();
+    glEnable(GL_SCISSOR_TEST);
+    for (const Look& look : looks) {
+        if (look.fidelity != Fidelity::single) continue;
+        glScissor(look.left, 0, look.right - look.left, subject.window.height);
+        if (subject.options.backgroundOrder == BackgroundOrder::first) drawBackground();
+        single_.draw(surfaces_, materials_, look.fresnel, view, turn, footprintMiddle,
+                     environment_.define());
+        if (subject.options.backgroundOrder == BackgroundOrder::last) drawBackground();
+    }
+    glDisable(GL_SCISSOR_TEST);
+    if (multisampled) buffers_.endMultisampled();
 }
 
-void Renderer::accumulate() {
+void Renderer::accumulate(const Look& look) {
     if (!accumulateProgram_)
         accumulateProgram_.emplace(shaders::fullViewportVert, shaders::accumulateFrag);
-    setState(false);
-    buffers_.bindNextSum();
     bindTexture(0, buffers_.frame());
     bindTexture(1, buffers_.sum());
     accumulateProgram_->set("frame", 0);
     accumulateProgram_->set("sum", 1);
     accumulateProgram_->set("first", frames_ == 0 ? 1 : 0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(look.left, 0, look.right - look.left, buffers_.height());
     drawFullViewport(*accumulateProgram_);
-    buffers_.swapSums();
-    ++frames_;
-    samples_ += kSamplesPerFrame;
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void Renderer::drawTraced(const Subject& subject, const Look& look, glm::vec2 point) {
+    if (!tracedScene_.ready()) throw Error("the scene was prepared for fidelity single alone");
+    const RenderOptions& picture = subject.options.picture;
+    const View view = viewOf(subject.camera, subject.window, point, bounds_);
+    // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
+    // number so far.
+    const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
+    constexpr int kSumUnit = 5;  // after the environment and the scene
+    bindTexture(kSumUnit, buffers_.sum());
+    bindTexture(kSumUnit + 1, buffers_.counts());
+    const bool count = counting_ == Counting::all && !subject.options.comparison;
+    traced_.draw(
+        tracedScene_, environment_,
+        {view, picture, look.fidelity, look.fresnel,
+         environmentFromWorld(picture.environmentRotation), 1.0f / std::sqrt(samples), frames_},
+        count ? Counting::all : Counting::none, kSumUnit,
+        {look.left, 0, look.right - look.left, subject.window.height});
 }
 
 void Renderer::present(const DisplayOptions& options, const Viewport& viewport) {
@@ -190,7 +229,20 @@ Rendering Renderer::read() {
     std::vector<glm::vec4> sums(count);
     buffers_.bindSumForReading();
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, sums.data());
+    if (buffers_.counts().id() != 0 && counting_ == Counting::all) {
+        std::vector<glm::vec4> counts(count);
+        glReadBuffer(GL_COLOR_ATTACHMENT1);
+        glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, counts.data());
+        glReadBuffer(GL_COLOR_ATTACHMENT0);
+        glm::dvec4 total(0.0);
+        for (const glm::vec4& pixel : counts) total += glm::dvec4(pixel);
+        rendering.rays = static_cast<std::uint64_t>(total.x);
+        rendering.leaks = static_cast<std::uint64_t>(total.y);
+        rendering.inconsistencies = static_cast<std::uint64_t>(total.z);
+        rendering.truncated = static_cast<std::uint64_t>(total.w);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     throwPendingErrors("reading the picture");
 

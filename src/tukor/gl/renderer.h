@@ -10,6 +10,8 @@
 #include "tukor/gl/frame_buffers.h"
 #include "tukor/gl/single_drawer.h"
 #include "tukor/gl/surface_buffers.h"
+#include "tukor/gl/traced_drawer.h"
+#include "tukor/gl/traced_scene.h"
 #include "tukor/gl/view.h"
 #include "tukor/image/display.h"
 #include "tukor/scene/render_options.h"
@@ -55,20 +57,23 @@ struct Viewport {
     int height = 0;
 };
 
-/// Which levels of the environment's texture are made: `single` needs only the finest.
-enum class EnvironmentLevels { finest, all };
-
 /// Belongs to the context that is current when it is made. Every function throws Error for what
 /// OpenGL reports.
 class Renderer {
 public:
     Renderer() = default;
 
-    void setScene(const Scene& scene);
+    /// `Preparation::single` when no other fidelity will be asked for.
+    void setScene(const Scene& scene, Preparation preparation = Preparation::all);
     /// The material of one part of the scene; cheap.
     void setMaterial(int part, const Material& material);
-    void setEnvironment(const Environment& environment,
-                        EnvironmentLevels levels = EnvironmentLevels::all);
+    void setEnvironment(const Environment& environment, Preparation preparation = Preparation::all);
+
+    /// Whether read() also gives what was counted on the way, at fidelities that trace rays.
+    void setCounting(Counting counting) {
+        counting_ = counting;
+        resetAccumulation();
+    }
 
     /// Draws one frame and adds it to the picture; begins anew when scene, camera, light or options
     /// differ from the frame before. A scene and an environment are needed.
@@ -85,7 +90,8 @@ public:
         frames_ = 0;
     }
 
-    /// Samples a pixel in the picture so far.
+    /// Samples a pixel in the picture so far: four from every frame of fidelity `single` alone,
+    /// else one.
     [[nodiscard]] int accumulatedSamples() const noexcept { return samples_; }
 
     /// Shows the picture so far in a viewport of the framebuffer that is bound, of any size.
@@ -104,9 +110,18 @@ private:
         friend bool operator==(const Subject&, const Subject&) = default;
     };
 
-    void drawLook(Fidelity fidelity, FresnelForm fresnel, const Subject& subject, glm::vec2 jitter,
-                  glm::vec2 footprintMiddle);
-    void accumulate();
+    /// One way of rendering, in the columns of the window from `left` to `right`.
+    struct Look {
+        Fidelity fidelity;
+        FresnelForm fresnel;
+        int left;
+        int right;
+    };
+    [[nodiscard]] std::vector<Look> looksOf(const Subject& subject) const;
+    void drawRasterised(const Subject& subject, const std::vector<Look>& looks, glm::vec2 point);
+    void accumulate(const Look& look);
+    void drawTraced(const Subject& subject, const Look& look, glm::vec2 point);
+
     [[nodiscard]] float radiancePerSum() const;
 
     Bounds bounds_;
@@ -116,6 +131,9 @@ private:
     FrameBuffers buffers_;
     BackgroundDrawer background_;
     SingleDrawer single_;
+    TracedScene tracedScene_;
+    TracedDrawer traced_;
+    Counting counting_ = Counting::none;
     std::optional<Program> accumulateProgram_;
     std::optional<Program> presentProgram_;
     std::optional<Subject> subject_;

@@ -12,5 +12,6 @@ extern const ShaderSource fullViewportVert;
 extern const ShaderSource presentFrag;
 extern const ShaderSource surfaceFrag;
 extern const ShaderSource surfaceVert;
+extern const ShaderSource tracedFrag;
 
 }  // namespace tukor::gl::shaders

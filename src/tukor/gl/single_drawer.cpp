@@ -6,26 +6,28 @@
 
 namespace tukor::gl {
 
-const Program& SingleDrawer::programFor(MaterialKind kind, FresnelForm fresnel) {
+const Program& SingleDrawer::programFor(MaterialKind kind, FresnelForm fresnel,
+                                        std::string_view environmentDefine) {
     if (kind == MaterialKind::mirror) fresnel = FresnelForm::exact;  // has none
-    const auto key = std::pair(kind, fresnel);
-    const auto found = programs_.find(key);
+    const std::string defines =
+        fmt::format("#define MATERIAL {}\n#define FRESNEL {}\n{}", static_cast<int>(kind),
+                    static_cast<int>(fresnel), environmentDefine);
+    const auto found = programs_.find(defines);
     if (found != programs_.end()) return found->second;
-    const std::string defines = fmt::format("#define MATERIAL {}\n#define FRESNEL {}\n",
-                                            static_cast<int>(kind), static_cast<int>(fresnel));
-    return programs_.emplace(key, Program(shaders::surfaceVert, shaders::surfaceFrag, defines))
+    return programs_.emplace(defines, Program(shaders::surfaceVert, shaders::surfaceFrag, defines))
         .first->second;
 }
 
 void SingleDrawer::draw(const SurfaceBuffers& surfaces, const std::vector<Material>& materials,
                         FresnelForm fresnel, const View& view,
-                        const glm::mat3& environmentFromWorld, glm::vec2 footprintMiddle) {
+                        const glm::mat3& environmentFromWorld, glm::vec2 footprintMiddle,
+                        std::string_view environmentDefine) {
     // The background's depth, 0.999 in NDC, is 0.9995 here: all that is drawn lies before it.
     glDepthRangef(0.0f, 0.999f);
     surfaces.bind();
     for (int part = 0; part < surfaces.parts(); ++part) {
         const Material& material = materials[static_cast<std::size_t>(part)];
-        const Program& program = programFor(material.kind, fresnel);
+        const Program& program = programFor(material.kind, fresnel, environmentDefine);
         program.set("clipFromWorld", view.clipFromWorld);
         program.set("environmentFromWorld", environmentFromWorld);
         program.set("eye", view.eye);

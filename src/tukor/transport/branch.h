@@ -77,7 +77,9 @@ TUKOR_CONST int kPendingBranches = 8;
 struct Tree {
     Branch branch;
     Branch pending[kPendingBranches];
+    float pendingWeights[kPendingBranches];  // their heaviness; -1 where there is none
     int pendingCount;
+    bool ended;  // the branch: spent() puts the next in its place
     bool alive;
     int rays;             // rays traced so far; the host counts them
     uint randomState;     // for branches too light to split
@@ -90,7 +92,9 @@ struct Tree {
 TUKOR_FN Tree startTree(Branch branch, uint randomState) {
     Tree tree;
     tree.branch = branch;
+    for (int i = 0; i < kPendingBranches; i++) tree.pendingWeights[i] = -1.0f;
     tree.pendingCount = 0;
+    tree.ended = false;
     tree.alive = true;
     tree.rays = 0;
     tree.randomState = randomState;
@@ -109,48 +113,65 @@ TUKOR_FN float nextRandom(TUKOR_INOUT(Tree) tree) {
     return float(word >> 8u) * (1.0f / 16777216.0f);
 }
 
-/// Ends the current branch; the heaviest that waits goes on.
+/// Ends the current branch, and the tree if no other waits.
+TUKOR_PROCEDURE endBranch(TUKOR_INOUT(Tree) tree) {
+    tree.ended = true;
+    if (tree.pendingCount == 0) tree.alive = false;
+}
+
+/// After the end of a branch: the heaviest that waits goes on.
+///
+/// Called from one place, as keepBranch is, and the loops are of constant length: shader compilers
+/// copy functions to wherever they are called, and access to an array by a computed index is dear.
 TUKOR_PROCEDURE nextBranch(TUKOR_INOUT(Tree) tree) {
-    if (tree.pendingCount == 0) {
-        tree.alive = false;
-        return;
-    }
     int pick = 0;
     float most = -1.0f;
-    for (int i = 0; i < tree.pendingCount; i++) {
-        float weight = heaviness(tree.pending[i].throughput);
-        if (weight > most) {
-            most = weight;
+    for (int i = 0; i < kPendingBranches; i++) {
+        if (tree.pendingWeights[i] > most) {
+            most = tree.pendingWeights[i];
             pick = i;
         }
     }
-    tree.branch = tree.pending[pick];
+    for (int i = 0; i < kPendingBranches; i++) {
+        if (i == pick) {
+            tree.branch = tree.pending[i];
+            tree.pendingWeights[i] = -1.0f;
+        }
+    }
     tree.pendingCount = tree.pendingCount - 1;
-    tree.pending[pick] = tree.pending[tree.pendingCount];
+    tree.ended = false;
 }
 
 /// Puts a branch among those that wait. If there is no room, the lightest of all becomes a look-up.
 TUKOR_PROCEDURE keepBranch(TUKOR_INOUT(Tree) tree, TUKOR_INOUT(Deposits) deposits, Branch branch) {
-    if (tree.pendingCount < kPendingBranches) {
-        tree.pending[tree.pendingCount] = branch;
-        tree.pendingCount = tree.pendingCount + 1;
-        return;
-    }
-    int pick = -1;
-    float least = heaviness(branch.throughput);
+    float weight = heaviness(branch.throughput);
+    int pick = 0;
+    float least = 1e30f;
     for (int i = 0; i < kPendingBranches; i++) {
-        float weight = heaviness(tree.pending[i].throughput);
-        if (weight < least) {
-            least = weight;
+        if (tree.pendingWeights[i] < least) {
+            least = tree.pendingWeights[i];
             pick = i;
         }
     }
-    tree.truncated = tree.truncated + 1;
-    if (pick < 0) {
-        addDeposit(deposits, depositOf(branch));
+    if (least >= 0.0f) {
+        tree.truncated = tree.truncated + 1;
+        if (least >= weight) {
+            addDeposit(deposits, depositOf(branch));
+            return;
+        }
+        Branch evicted = branch;
+        for (int i = 0; i < kPendingBranches; i++) {
+            if (i == pick) evicted = tree.pending[i];
+        }
+        addDeposit(deposits, depositOf(evicted));
     } else {
-        addDeposit(deposits, depositOf(tree.pending[pick]));
-        tree.pending[pick] = branch;
+        tree.pendingCount = tree.pendingCount + 1;
+    }
+    for (int i = 0; i < kPendingBranches; i++) {
+        if (i == pick) {
+            tree.pending[i] = branch;
+            tree.pendingWeights[i] = weight;
+        }
     }
 }
 

@@ -69,8 +69,9 @@ TUKOR_FN Encounter encounter(Branch branch, SurfaceHit hit) {
     return met;
 }
 
-/// Whether the current branch may not go on.
-TUKOR_FN bool spent(Tree tree, TransportSettings settings) {
+/// Begins a step, with the next branch where one has ended. Whether that branch may not go on.
+TUKOR_FN bool spent(TUKOR_INOUT(Tree) tree, TransportSettings settings) {
+    if (tree.ended) nextBranch(tree);
     return tree.rays >= settings.rayBudget || tree.branch.depth >= settings.maxDepth;
 }
 
@@ -79,7 +80,7 @@ TUKOR_FN Deposits cutBranch(TUKOR_INOUT(Tree) tree) {
     Deposits deposits = noDeposits();
     addDeposit(deposits, depositOf(tree.branch));
     tree.truncated = tree.truncated + 1;
-    nextBranch(tree);
+    endBranch(tree);
     return deposits;
 }
 
@@ -88,7 +89,7 @@ TUKOR_FN Deposits escape(TUKOR_INOUT(Tree) tree) {
     Deposits deposits = noDeposits();
     addDeposit(deposits, depositOf(tree.branch));
     if (tree.branch.media != 0u) tree.leaks = tree.leaks + 1;
-    nextBranch(tree);
+    endBranch(tree);
     return deposits;
 }
 
@@ -132,7 +133,7 @@ TUKOR_FN Deposits scatterOnLadder(TUKOR_INOUT(Tree) tree, Branch at, NormalChang
         }
         addDeposit(deposits, depositOf(refracted));
     }
-    nextBranch(tree);
+    endBranch(tree);
     return deposits;
 }
 
@@ -207,7 +208,7 @@ TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met,
             addDeposit(deposits, depositOf(tree.branch));
             tree.truncated = tree.truncated + 1;
         }
-        nextBranch(tree);
+        endBranch(tree);
     }
     return deposits;
 }

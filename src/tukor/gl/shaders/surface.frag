@@ -2,7 +2,7 @@
 // Fidelity `single`: lecture rows 10 to 14 at the first surface, nothing behind it.
 //
 // MATERIAL: 0 mirror, 1 metal, 2 dielectric. FRESNEL: 0 exact, 1 the lecture's approximation.
-#include "tukor/gl/shaders/footprint.glsl"
+#include "tukor/gl/shaders/environment.glsl"
 #include "tukor/optics/directions.h"
 #include "tukor/optics/fresnel.h"
 uniform vec3 tint;

@@ -1,0 +1,84 @@
+#include "tukor/gl/traced_drawer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tukor/gl/full_viewport.h"
+#include "tukor/gl/shaders.h"
+
+namespace tukor::gl {
+
+namespace {
+
+// Drivers give up on draw calls of about two seconds. A weak GPU does some 20 million rays a
+// second; few pixels use their whole budget.
+constexpr int kRaysPerTile = 1 << 23;
+
+int tileSize(int rayBudget) {
+    const float pixels = static_cast<float>(kRaysPerTile) / static_cast<float>(rayBudget);
+    return std::clamp(static_cast<int>(std::sqrt(pixels)), 32, 4096);
+}
+
+}  // namespace
+
+const Program& TracedDrawer::programFor(Fidelity fidelity, FresnelForm fresnel,
+                                        std::string_view environmentDefine, Counting counting) {
+    const std::string defines =
+        fmt::format("#define FIDELITY {}\n#define FRESNEL {}\n#define COUNTING {}\n{}",
+                    static_cast<int>(fidelity), static_cast<int>(fresnel),
+                    counting == Counting::all ? 1 : 0, environmentDefine);
+    const auto found = programs_.find(defines);
+    if (found != programs_.end()) return found->second;
+    return programs_
+        .emplace(defines, Program(shaders::fullViewportVert, shaders::tracedFrag, defines))
+        .first->second;
+}
+
+void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environment,
+                        const Frame& frame, Counting counting, int sumUnit, const Region& region) {
+    const Program& program =
+        programFor(frame.fidelity, frame.fresnel, environment.define(), counting);
+    const RenderOptions& options = frame.options;
+    environment.bind(0);
+    program.set("environment", 0);
+    program.set("environmentFaceSize", environment.faceSize());
+    program.set("environmentFromWorld", frame.environmentFromWorld);
+    scene.bind(program, 1, frame.view.eye);
+    program.set("sum", sumUnit);
+    program.set("counted", sumUnit + 1);
+    program.set("first", frame.number == 0 ? 1 : 0);
+    program.set("frame", static_cast<std::uint32_t>(frame.number));
+    program.set("background", options.background == Background::none ? 0 : 1);
+
+    program.set("eye", frame.view.eye);
+    const auto ray = [&](float x, float y) {
+        return glm::vec3(frame.view.rayDirMatrix * glm::vec4(x, y, 0.0f, 1.0f));
+    };
+    GLint viewport[4];
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    const glm::vec3 corner = ray(-1.0f, -1.0f);
+    program.set("rayCorner", corner);
+    program.set("rayPerColumn", (ray(1.0f, -1.0f) - corner) / static_cast<float>(viewport[2]));
+    program.set("rayPerRow", (ray(-1.0f, 1.0f) - corner) / static_cast<float>(viewport[3]));
+    program.set("footprintScale", frame.footprintScale);
+
+    program.set("rayBudget", std::max(options.rayBudget, 1));
+    program.set("maxDepth", std::max(options.maxDepth, 1));
+    program.set("weightCutoff", options.weightCutoff);
+
+    const int tile = tileSize(std::max(options.rayBudget, 1));
+    glEnable(GL_SCISSOR_TEST);
+    for (int y = 0; y < region.height; y += tile) {
+        for (int x = 0; x < region.width; x += tile) {
+            glScissor(region.left + x, region.bottom + y, std::min(tile, region.width - x),
+                      std::min(tile, region.height - y));
+            drawFullViewport(program);
+            glFlush();
+        }
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
+}  // namespace tukor::gl

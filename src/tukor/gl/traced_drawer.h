@@ -1,0 +1,46 @@
+// Fidelity `double` and `exact`: the light-path tree of every pixel, traced in a fragment shader.
+#pragma once
+#include <map>
+#include <string>
+
+#include "tukor/gl/environment_texture.h"
+#include "tukor/gl/frame_buffers.h"
+#include "tukor/gl/traced_scene.h"
+#include "tukor/gl/view.h"
+#include "tukor/scene/render_options.h"
+
+namespace tukor::gl {
+
+class TracedDrawer {
+public:
+    /// One frame: `options` but with the fidelity and Fresnel form given beside it.
+    struct Frame {
+        const View& view;
+        const RenderOptions& options;
+        Fidelity fidelity;
+        FresnelForm fresnel;
+        glm::mat3 environmentFromWorld;
+        float footprintScale;  // distance of neighbouring samples, in pixels
+        int number;            // 0: the first of the sum
+    };
+    /// The region of the bound framebuffer to draw.
+    struct Region {
+        int left;
+        int bottom;
+        int width;
+        int height;
+    };
+
+    /// Adds the frame to the sum in texture unit `sumUnit` (and to the counts in the unit after it)
+    /// and writes the result into the bound framebuffer; in tiles, so that no draw call lasts long.
+    void draw(TracedScene& scene, const EnvironmentTexture& environment, const Frame& frame,
+              Counting counting, int sumUnit, const Region& region);
+
+private:
+    const Program& programFor(Fidelity fidelity, FresnelForm fresnel,
+                              std::string_view environmentDefine, Counting counting);
+
+    std::map<std::string, Program> programs_;  // by their defines; compiled when first used
+};
+
+}  // namespace tukor::gl

@@ -1,0 +1,45 @@
+// A scene as the tracing shader reads it: triangles and their tree, materials, media.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "tukor/geometry/bvh.h"
+#include "tukor/gl/handles.h"
+#include "tukor/gl/program.h"
+#include "tukor/scene/scene.h"
+
+namespace tukor::gl {
+
+class TracedScene {
+public:
+    TracedScene() = default;
+
+    /// Builds the tree and uploads everything. Throws Error for what the driver cannot hold.
+    explicit TracedScene(const Scene& scene);
+
+    /// False for an empty one that was never given a scene.
+    [[nodiscard]] bool ready() const noexcept { return nodes_.id() != 0; }
+
+    /// The scene has other materials now; one per part.
+    void setMaterials(const std::vector<Material>& materials);
+
+    /// Binds the textures from `unit` on, four of them, and sets the uniforms of traced.frag that
+    /// belong to the scene; `eye` decides the media that a camera ray starts in.
+    void bind(const Program& program, int unit, glm::vec3 eye);
+
+private:
+    /// Names, materials and bounds of the parts: each mesh has two corners of its box alone.
+    Scene outline_;
+    Bvh bvh_;  // for the media around the eye; normals are on the GPU alone
+    std::vector<std::uint32_t> insideOfPart_;
+    std::vector<glm::vec4> media_;
+    Texture nodes_;
+    Texture triangles_;
+    Texture normals_;
+    Texture surfaces_;
+    glm::vec3 eye_{0.0f};
+    std::uint32_t eyeMedia_ = 0;
+    bool eyeKnown_ = false;
+};
+
+}  // namespace tukor::gl
