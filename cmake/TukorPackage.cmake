@@ -14,6 +14,8 @@ set(TUKOR_FINDERS
     "^PNG::"                "find_dependency(PNG)"
     "^JPEG::"               "find_dependency(JPEG)"
     "^ZLIB::"               "find_dependency(ZLIB)"
+    "^draco::"              "find_dependency(draco)"
+    "^meshoptimizer::"      "find_dependency(meshoptimizer)"
     "^assimp"               "find_dependency(assimp)"
     "^nlohmann_json"        "find_dependency(nlohmann_json)"
     "^embree"               "find_dependency(embree 3)"
