@@ -12,6 +12,7 @@
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
 #include "tukor/image/image_file.h"
+#include "tukor/image/texture_file.h"
 
 namespace tukor {
 namespace {
@@ -27,7 +28,10 @@ constexpr bool kMeasured = true;
 /// Ends the process: status 0 with the message on stderr, 3 when it took too much.
 [[noreturn]] void loadAndExit(const fs::path& path) {
     try {
-        (void)loadImage(path);
+        if (path.filename().string().ends_with("_texture"))
+            (void)loadTexture(path);
+        else
+            (void)loadImage(path);
         std::fprintf(stderr, "it was read");
     } catch (const Error& error) {
         std::fprintf(stderr, "%s", error.what());
@@ -167,6 +171,37 @@ TEST_F(HostileImageDeathTest, SparseFilesOfTwoGigabytes) {
     fs::resize_file(path_, kMaxFileBytes + 1);
     EXPECT_EXIT(loadAndExit(path_), testing::ExitedWithCode(0),
                 "2147483649 bytes; the largest file accepted is 2147483648 bytes");
+}
+
+class HostileTextureDeathTest : public HostileImageDeathTest {
+protected:
+    HostileTextureDeathTest() { path_ += "_texture"; }
+};
+
+TEST_F(HostileTextureDeathTest, HeadersCorruptionAndSparseFiles) {
+    TextureFile texture{64, 64, 6, 1, std::vector<Image>(6, Image(64, 64))};
+    struct Case {
+        const char* extension;
+        std::size_t width;  // where it is
+        std::size_t height;
+    };
+    for (const Case& c : {Case{".dds", 16, 12}, Case{".ktx", 36, 40}, Case{".ktx2", 20, 24}}) {
+        const auto whole = encodeTexture(texture, c.extension);
+        auto cut = whole;
+        cut.resize(whole.size() - 1);
+        expect(cut, "hostile_.*: cut off: the file ends after");
+        for (int highest : {0x7f, 0}) {  // 2^31 - 1, and 4096, which would be allowed
+            auto bytes = whole;
+            const int low = highest == 0 ? 0 : 0xff;
+            const int middle = highest == 0 ? 0x10 : 0xff;
+            patch(bytes, c.width, {low, middle, low, highest});
+            patch(bytes, c.height, {low, middle, low, highest});
+            expect(bytes, "hostile_.*: (cut off|damaged|.* pixels are accepted)");
+        }
+        writeFile(path_, cut);
+        fs::resize_file(path_, kMaxFileBytes);
+        EXPECT_EXIT(loadAndExit(path_), testing::ExitedWithCode(0), "it was read");
+    }
 }
 
 }  // namespace
