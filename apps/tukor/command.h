@@ -14,5 +14,6 @@ void addRenderCommand(CLI::App& program, Action& action);
 void addViewCommand(CLI::App& program, Action& action);
 void addMaterialsCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
+void addEnvironmentCommand(CLI::App& program, Action& action);
 
 }  // namespace tukor

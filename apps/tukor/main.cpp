@@ -31,6 +31,7 @@ int run(int argc, const char* const* argv) {
     addViewCommand(program, action);
     addMaterialsCommand(program, action);
     addCompareCommand(program, action);
+    addEnvironmentCommand(program, action);
 
     try {
         const auto arguments = joinedArguments(argc, argv);

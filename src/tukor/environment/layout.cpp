@@ -90,6 +90,28 @@ CubeMap cubeFromLayout(const Image& picture, Layout layout) {
     return cube;
 }
 
+Image pictureOfFace(const CubeMap& cube, CubeFace face) {
+    Image picture(cube.faceSize(), cube.faceSize());
+    const std::span<const glm::vec3> texels = cube.texels(face);
+    std::copy(texels.begin(), texels.end(), picture.pixels().begin());
+    return picture;
+}
+
+Image pictureFromCube(const CubeMap& cube, Layout layout) {
+    TUKOR_ASSERT(layout != Layout::equirect);
+    const Placement& placement = placementOf(layout);
+    const int size = cube.faceSize();
+    Image picture(size * placement.columns, size * placement.rows);
+    for (const CubeFace face : kCubeFaces) {
+        Image one = pictureOfFace(cube, face);
+        if (placement.turned == face) std::reverse(one.pixels().begin(), one.pixels().end());
+        const glm::ivec2 origin = size * placement.faces[static_cast<std::size_t>(face)];
+        for (int row = 0; row < size; ++row)
+            std::copy_n(&one.at(0, row), size, &picture.at(origin.x, origin.y + row));
+    }
+    return picture;
+}
+
 std::array<fs::path, 6> faceFiles(const std::string& patternOrFolder) {
     std::array<fs::path, 6> files;
     if (const auto hole = patternOrFolder.find("{}"); hole != std::string::npos) {

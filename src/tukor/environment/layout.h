@@ -28,6 +28,12 @@ enum class Layout { equirect, hcross, vcross, hstrip, vstrip };
 /// The faces of a cross or strip. Its shape must be that of `layout`.
 [[nodiscard]] CubeMap cubeFromLayout(const Image& picture, Layout layout);
 
+/// The cross or strip of a cube map; black where a cross has no face.
+[[nodiscard]] Image pictureFromCube(const CubeMap& cube, Layout layout);
+
+/// The picture of one face.
+[[nodiscard]] Image pictureOfFace(const CubeMap& cube, CubeFace face);
+
 /// The names that files of the six faces go by, in face order: `px`, `posx` or `right` for +X.
 inline constexpr std::array<std::array<std::string_view, 6>, 3> kFaceNames = {{
     {"px", "nx", "py", "ny", "pz", "nz"},

@@ -1,0 +1,198 @@
+#include "tukor/environment/panorama.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "tukor/base/parallel.h"
+#include "tukor/environment/cube_function.h"
+#include "tukor/environment/equirect.h"
+
+namespace tukor {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Fills a picture with means of 3 x 3 values of radiance(u, v), u and v in [0, 1].
+template <class Radiance>
+Image pictureOf(int width, int height, const Radiance& radiance) {
+    Image image(width, height);
+    parallelFor(0, height, 8, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row)
+            for (int column = 0; column < width; ++column) {
+                glm::vec3 sum(0.0f);
+                for (int i = 0; i < 9; ++i)
+                    sum += radiance(
+                        (static_cast<float>(column) + (static_cast<float>(i % 3) + 0.5f) / 3) /
+                            static_cast<float>(width),
+                        (static_cast<float>(row) + (static_cast<float>(i / 3) + 0.5f) / 3) /
+                            static_cast<float>(height));
+                image.at(column, row) = sum / 9.0f;
+            }
+    });
+    return image;
+}
+
+glm::vec3 directionFromOctahedral(float u, float v) {
+    glm::vec3 p(2.0f * u - 1.0f, 0.0f, 2.0f * v - 1.0f);
+    p.y = 1.0f - std::abs(p.x) - std::abs(p.z);
+    if (p.y < 0.0f) {
+        const float x = p.x;
+        p.x = (1.0f - std::abs(p.z)) * (x < 0.0f ? -1.0f : 1.0f);
+        p.z = (1.0f - std::abs(x)) * (p.z < 0.0f ? -1.0f : 1.0f);
+    }
+    return p;
+}
+
+glm::vec2 octahedralFromDirection(glm::vec3 d) {
+    d /= std::abs(d.x) + std::abs(d.y) + std::abs(d.z);
+    if (d.y < 0.0f) {
+        const float x = d.x;
+        d.x = (1.0f - std::abs(d.z)) * (x < 0.0f ? -1.0f : 1.0f);
+        d.z = (1.0f - std::abs(x)) * (d.z < 0.0f ? -1.0f : 1.0f);
+    }
+    return {0.5f * d.x + 0.5f, 0.5f * d.z + 0.5f};
+}
+
+/// Bilinear, clamped at the border.
+glm::vec3 valueAt(const Image& image, glm::vec2 place) {
+    const float x = std::clamp(place.x * static_cast<float>(image.width()) - 0.5f, 0.0f,
+                               static_cast<float>(image.width() - 1));
+    const float y = std::clamp(place.y * static_cast<float>(image.height()) - 0.5f, 0.0f,
+                               static_cast<float>(image.height() - 1));
+    const int column = static_cast<int>(x), row = static_cast<int>(y);
+    const int nextColumn = std::min(column + 1, image.width() - 1);
+    const int nextRow = std::min(row + 1, image.height() - 1);
+    const float right = x - static_cast<float>(column), down = y - static_cast<float>(row);
+    return glm::mix(glm::mix(image.at(column, row), image.at(nextColumn, row), right),
+                    glm::mix(image.at(column, nextRow), image.at(nextColumn, nextRow), right),
+                    down);
+}
+
+}  // namespace
+
+double turnFrom(Orientation orientation) noexcept {
+    switch (orientation) {
+        case Orientation::blender:
+        case Orientation::three:
+        case Orientation::unreal:
+            return -0.5 * kPi;  // the middle, at -Z here, goes to +X
+        case Orientation::openexr:
+        case Orientation::filament:
+            return kPi;
+        default:
+            return 0.0;
+    }
+}
+
+Image turnedPanorama(const Image& panorama, double radians) {
+    // Longitude grows clockwise seen from above: what was at column c goes to c - shift.
+    const int width = panorama.width();
+    const double shift = radians / (2.0 * kPi) * width;
+    double whole = std::floor(shift);
+    auto part = static_cast<float>(shift - whole);
+    if (part < 1e-4f) part = 0.0f;
+    if (part > 1.0f - 1e-4f) {
+        part = 0.0f;
+        whole += 1.0;
+    }
+    const int offset = static_cast<int>(std::fmod(whole, width)) + width;
+    Image turned(width, panorama.height());
+    for (int row = 0; row < panorama.height(); ++row)
+        for (int column = 0; column < width; ++column) {
+            const glm::vec3 pixel = panorama.at((column + offset) % width, row);
+            turned.at(column, row) =
+                part == 0.0f
+                    ? pixel
+                    : glm::mix(pixel, panorama.at((column + offset + 1) % width, row), part);
+        }
+    return turned;
+}
+
+CubeMap turnedCube(const CubeMap& cube, double radians) {
+    const auto c = static_cast<float>(std::cos(radians)), s = static_cast<float>(std::sin(radians));
+    const auto radiance = [&](glm::vec3 d) {
+        return cube.radiance({c * d.x - s * d.z, d.y, s * d.x + c * d.z});
+    };
+    return cubeFromFunction(cube.faceSize(), [&](Cone) { return radiance; });
+}
+
+Image resizedPanorama(const Image& panorama, int width) {
+    const int height = std::max(1, width / 2);
+    if (width == panorama.width() && height == panorama.height()) return panorama;
+    if (width >= panorama.width())
+        return pictureOf(width, height, [&](float u, float v) {
+            return equirectRadiance(panorama, directionFromEquirect({u, v}));
+        });
+    Image image(width, height);
+    parallelFor(0, height, 4, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            const double top = static_cast<double>(row) * panorama.height() / height;
+            const double bottom = static_cast<double>(row + 1) * panorama.height() / height;
+            for (int column = 0; column < width; ++column) {
+                const double left = static_cast<double>(column) * panorama.width() / width;
+                const double right = static_cast<double>(column + 1) * panorama.width() / width;
+                glm::dvec3 sum(0.0);
+                double weights = 0.0;
+                for (int j = static_cast<int>(top); j < bottom && j < panorama.height(); ++j) {
+                    const double from = std::max(top, static_cast<double>(j)),
+                                 to = std::min(bottom, j + 1.0);
+                    const double band = std::cos(kPi * from / panorama.height()) -
+                                        std::cos(kPi * to / panorama.height());
+                    for (int i = static_cast<int>(left); i < right && i < panorama.width(); ++i) {
+                        const double weight = band * (std::min(right, i + 1.0) -
+                                                      std::max(left, static_cast<double>(i)));
+                        sum += weight * glm::dvec3(panorama.at(i, j));
+                        weights += weight;
+                    }
+                }
+                image.at(column, row) = glm::vec3(sum / weights);
+            }
+        }
+    });
+    return image;
+}
+
+Image panoramaFromCube(const CubeMap& cube, int width) {
+    return pictureOf(width, std::max(1, width / 2), [&](float u, float v) {
+        return cube.radiance(directionFromEquirect({u, v}));
+    });
+}
+
+Image octahedralFromCube(const CubeMap& cube, int size) {
+    return pictureOf(
+        size, size, [&](float u, float v) { return cube.radiance(directionFromOctahedral(u, v)); });
+}
+
+Image ballFromCube(const CubeMap& cube, int size) {
+    return pictureOf(size, size, [&](float u, float v) {
+        const float x = 2.0f * u - 1.0f, y = 1.0f - 2.0f * v;
+        const float z2 = 1.0f - x * x - y * y;
+        if (z2 < 0.0f) return glm::vec3(0.0f);
+        const float z = std::sqrt(z2);
+        return cube.radiance({2.0f * z * x, 2.0f * z * y, 2.0f * z * z - 1.0f});
+    });
+}
+
+CubeMap cubeFromOctahedral(const Image& picture, int faceSize) {
+    const auto radiance = [&](glm::vec3 d) { return valueAt(picture, octahedralFromDirection(d)); };
+    return cubeFromFunction(faceSize, [&](Cone) { return radiance; });
+}
+
+CubeMap cubeFromBall(const Image& picture, int faceSize) {
+    const auto radiance = [&](glm::vec3 d) {
+        // The normal lies half way to the camera; where the ball hides the scene behind it, its
+        // rim.
+        const glm::vec3 half = d + glm::vec3(0.0f, 0.0f, 1.0f);
+        const float length = std::max(glm::length(half), 1e-4f);
+        const float inside = 1.0f - 1.5f / static_cast<float>(picture.width());
+        glm::vec2 p = glm::vec2(half.x, half.y) / length;
+        p *= std::min(1.0f, inside / std::max(glm::length(p), 1e-6f));
+        return valueAt(picture, {0.5f + 0.5f * p.x, 0.5f - 0.5f * p.y});
+    };
+    return cubeFromFunction(faceSize, [&](Cone) { return radiance; });
+}
+
+}  // namespace tukor
