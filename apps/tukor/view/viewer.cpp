@@ -104,10 +104,10 @@ private:
         if (comparison_) showDivider();
         notices_.show();
         requests.screenshot = requests.screenshot || window_.pressed(Key::f12);
-        requests.copyCommand = requests.copyCommand ||
-                               (!io.WantTextInput && io.KeyCtrl && ImGui::IsKeyPressed('C', false));
+        requests.copyCommand =
+            requests.copyCommand || (!io.WantTextInput && window_.pressed(Key::copy));
         if (requests.frameModel) frameModel();
-        if (!io.WantTextInput && io.KeyCtrl && ImGui::IsKeyPressed('Q', false)) window_.close();
+        if (!io.WantTextInput && window_.pressed(Key::quit)) window_.close();
         return requests;
     }
 

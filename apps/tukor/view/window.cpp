@@ -1,5 +1,6 @@
 #include "view/window.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -44,8 +45,10 @@ int glfwKey(Key key) {
             return GLFW_KEY_HOME;
         case Key::tab:
             return GLFW_KEY_TAB;
-        case Key::escape:
-            return GLFW_KEY_ESCAPE;
+        case Key::copy:
+            return GLFW_KEY_C;
+        case Key::quit:
+            return GLFW_KEY_Q;
     }
     return GLFW_KEY_UNKNOWN;
 }
@@ -103,6 +106,12 @@ Window::Window(int width, int height, const std::string& title) : glfw_(std::mak
     glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
         auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
         self.dropped_.insert(self.dropped_.end(), paths, paths + count);
+    });
+    // ImGui knows keys as down or up when a frame begins: it misses those pressed and released in a
+    // slow frame
+    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
+        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+        if (action != GLFW_RELEASE) self.presses_.emplace_back(key, modifiers);
     });
     panel_ = std::make_unique<Panel>(window_);
     renderer_ = std::make_unique<PanelRenderer>();
@@ -162,7 +171,11 @@ void Window::setClipboard(const std::string& text) {
 }
 
 bool Window::pressed(Key key) const {
-    return ImGui::IsKeyPressed(glfwKey(key));
+    const bool wantsControl = key == Key::copy || key == Key::quit;
+    return std::any_of(presses_.begin(), presses_.end(), [&](const std::pair<int, int>& press) {
+        return press.first == glfwKey(key) &&
+               ((press.second & GLFW_MOD_CONTROL) != 0) == wantsControl;
+    });
 }
 
 bool Window::held(Key key) const {
@@ -201,6 +214,7 @@ void Window::endFrame() {
     renderer_->draw(*ImGui::GetDrawData());
     gl::throwPendingErrors("drawing the panel");
     glfwSwapBuffers(window_);
+    presses_.clear();
 }
 
 }  // namespace tukor

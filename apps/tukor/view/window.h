@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -12,8 +13,8 @@ namespace tukor {
 
 class PanelRenderer;
 
-/// Keys that the viewer asks for; letters are their capitals.
-enum class Key { f12, left, right, up, down, plus, minus, home, tab, escape };
+/// Keys that the viewer asks for; copy and quit are Ctrl+C and Ctrl+Q.
+enum class Key { f12, left, right, up, down, plus, minus, home, tab, copy, quit };
 
 class Window {
 public:
@@ -45,7 +46,7 @@ public:
     void setTitle(const std::string& title);
     void setClipboard(const std::string& text);
 
-    [[nodiscard]] bool pressed(Key key) const;  // in this frame, auto-repeat included
+    [[nodiscard]] bool pressed(Key key) const;  // since the last frame, auto-repeat included
     [[nodiscard]] bool held(Key key) const;
 
     /// Between beginFrame and endFrame ImGui's widgets may be made; endFrame draws them over what
@@ -61,6 +62,7 @@ private:
     std::unique_ptr<Panel> panel_;
     std::unique_ptr<PanelRenderer> renderer_;
     std::vector<std::string> dropped_;
+    std::vector<std::pair<int, int>> presses_;  // GLFW's key and modifiers, since the last frame
     float fontScale_ = 0.0f;
 };
 
