@@ -5,6 +5,10 @@
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 function(tukor_embed_shaders target)
+    set(compact "")
+    if(EMSCRIPTEN)
+        set(compact --compact)  # pages fetch it
+    endif()
     cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
     foreach(file ${arg_FILES})
         get_filename_component(stem ${file} NAME_WE)
@@ -31,7 +35,7 @@ function(tukor_embed_shaders target)
         add_custom_command(
             OUTPUT ${output}
             COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/embed_shader.py
-                    ${PROJECT_SOURCE_DIR}/src ${file} ${output} ${name} --depfile ${output}.d
+                    ${PROJECT_SOURCE_DIR}/src ${file} ${output} ${name} --depfile ${output}.d ${compact}
             DEPENDS ${PROJECT_SOURCE_DIR}/tools/embed_shader.py ${root}/${file}
             DEPFILE ${output}.d
             COMMENT "Embedding ${file}")

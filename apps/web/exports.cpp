@@ -160,11 +160,14 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_option(const char* name, const char* text) {
     });
 }
 
-EMSCRIPTEN_KEEPALIVE int tukor_reset_option(const char* name) {
-    return guarded([&] {
-        viewer->resetOption(name);
-        return 0;
-    });
+EMSCRIPTEN_KEEPALIVE int tukor_set_light(float rotation, float intensity) {
+    viewer->setLight(rotation, intensity);
+    return 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int tukor_set_exposure(float stops) {
+    viewer->setExposure(stops);
+    return 0;
 }
 
 EMSCRIPTEN_KEEPALIVE int tukor_set_camera(float eyeX, float eyeY, float eyeZ, float targetX,
@@ -229,9 +232,5 @@ EMSCRIPTEN_KEEPALIVE const char* tukor_warnings() {
     for (const std::string& warning : viewer->warnings())
         json += (json.size() > 1 ? "," : "") + jsonString(warning);
     return kept(json + "]");
-}
-
-EMSCRIPTEN_KEEPALIVE const char* tukor_command_line() {
-    return kept(viewer->commandLine());
 }
 }

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <GLES3/gl3.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "tukor/app/option_table.h"
 #include "tukor/app/option_text.h"
 #include "tukor/app/pick.h"
 #include "tukor/base/error.h"
@@ -24,7 +22,6 @@ namespace tukor::web {
 
 namespace {
 
-constexpr float kDegree = std::numbers::pi_v<float> / 180.0f;
 constexpr int kLargestFaceSize = 1024;  // 75 MB of texels, more than a phone's tab should be asked
 
 std::string_view trimmed(std::string_view text) {
@@ -33,25 +30,21 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-// Calls action(value, default value, extra) for the option of that name.
-template <class Action>
-void withOption(SessionOptions& options, std::string_view name, const Action& action) {
-    SessionOptions defaults;
-    bool found = false;
-    describeGroups(options, [&](std::string_view, auto& group) {
-        describe(group, [&](std::string_view field, auto& value, const auto& extra, auto&&...) {
-            if (field != name) return;
-            found = true;
-            action(value, extra);
-        });
-    });
-    if (!found) throw Error(fmt::format("{}: no such option", name));
+// A value by its spelling or within its bounds; `name` opens the message where it is neither.
+template <class T, class Extra>
+void assign(T& value, const Extra& extra, std::string_view name, std::string_view text) {
+    try {
+        value = valueFromText(ValueType<T>{}, extra, text);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}: {}", name, error.what()));
+    }
 }
 
 }  // namespace
 
 Viewer::Viewer() {
     gl::requireFeatures();
+    display_.tonemap = Tonemap::neutral;  // as in `tukor render`
 }
 
 void Viewer::setModel(const std::string& name) {
@@ -65,7 +58,6 @@ void Viewer::setModel(const std::string& name) {
     scene_ = std::move(scene);
     ownMaterials_.clear();
     for (const Part& part : scene_.parts) ownMaterials_.push_back(part.material);
-    options_.subject = {{name}, {}};
 }
 
 void Viewer::setMaterials(std::string_view specifications) {
@@ -86,7 +78,6 @@ void Viewer::setMaterials(std::string_view specifications) {
         scene_.parts[i].material = bare.parts[i].material;
         renderer_.setMaterial(static_cast<int>(i), scene_.parts[i].material);
     }
-    options_.subject.materials = std::move(list);
     restart();
 }
 
@@ -110,54 +101,40 @@ void Viewer::setEnvironment(const std::string& name, Image picture) {
 
 void Viewer::useEnvironment(Environment environment) {
     renderer_.setEnvironment(environment);
-    options_.light.environment = environment.name;
     environmentWarnings_ = std::move(environment.warnings);
 }
 
 void Viewer::setOption(std::string_view name, std::string_view text) {
-    withOption(options_, name, [&](auto& value, const auto& extra) {
-        try {
-            auto changed = value;
-            assignFromText(changed, extra, text);
-            value = changed;
-        } catch (const Error& error) {
-            throw Error(fmt::format("{}: {}", name, error.what()));
-        }
-    });
+    if (name == "fidelity")
+        assign(options_.fidelity, Spellings<Fidelity>(kFidelitySpellings), name, text);
+    else if (name == "fresnel")
+        assign(options_.fresnel, Spellings<FresnelForm>(kFresnelSpellings), name, text);
+    else if (name == "background")
+        assign(options_.background, Spellings<Background>(kBackgroundSpellings), name, text);
+    else if (name == "tone-map")
+        assign(display_.tonemap, Spellings<Tonemap>(kTonemapSpellings), name, text);
+    else
+        throw Error(fmt::format("{}: no such option", name));
+    restart();
 }
 
-void Viewer::resetOption(std::string_view name) {
-    SessionOptions defaults;
-    std::vector<std::string> texts;
-    withOption(defaults, name,
-               [&](auto& value, const auto& extra) { texts = textsFromOption(value, extra); });
-    for (const std::string& text : texts) setOption(name, text);
+void Viewer::setLight(float rotation, float intensity) noexcept {
+    options_.environmentRotation = rotation;
+    options_.environmentIntensity = intensity;
 }
 
 gl::FrameOptions Viewer::frameOptions(int width, int height) const noexcept {
     gl::FrameOptions frame;
-    RenderOptions& picture = frame.picture;
-    picture.width = width;
-    picture.height = height;
-    picture.fidelity = options_.quality.fidelity;
-    picture.fresnel = options_.quality.fresnel;
-    picture.background = options_.light.background;
-    picture.environmentRotation = options_.light.rotationDegrees * kDegree;
-    picture.environmentIntensity = options_.light.intensity;
-    picture.rayBudget = options_.quality.rayBudget;
-    picture.weightCutoff = options_.quality.weightCutoff;
-    picture.maxDepth = options_.quality.maxDepth;
+    frame.picture = options_;
+    frame.picture.width = width;
+    frame.picture.height = height;
     return frame;
 }
 
 int Viewer::drawFrame(int width, int height) {
-    options_.quality.size = {width, height};
     renderer_.drawFrame(camera_, frameOptions(width, height));
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    gl::DisplayOptions display;
-    display.exposureStops = options_.develop.exposureStops;
-    display.tonemap = options_.develop.tonemap;
-    renderer_.present(display, {0, 0, width, height});
+    renderer_.present(display_, {0, 0, width, height});
     return renderer_.accumulatedSamples();
 }
 
@@ -168,12 +145,12 @@ void Viewer::drawStill(int width, int height) {
 std::span<const std::uint8_t> Viewer::stillPixels() {
     const Rendering rendering = renderer_.read();
     const Image& image = rendering.radiance;
-    const float exposure = std::exp2(options_.develop.exposureStops);
+    const float exposure = std::exp2(display_.exposureStops);
     pixels_.resize(4 * image.pixels().size());
     for (std::size_t i = 0; i < image.pixels().size(); ++i) {
         const float alpha = image.alpha.empty() ? 1.0f : std::clamp(image.alpha[i], 0.0f, 1.0f);
         const glm::vec3 radiance = alpha > 0.0f ? image.pixels()[i] / alpha : glm::vec3(0.0f);
-        const glm::vec3 shown = displayed(radiance, options_.develop.tonemap, exposure);
+        const glm::vec3 shown = displayed(radiance, display_.tonemap, exposure);
         for (int c = 0; c < 3; ++c) pixels_[4 * i + c] = srgb8(shown[c]);
         pixels_[4 * i + 3] = static_cast<std::uint8_t>(std::lround(255.0f * alpha));
     }
@@ -198,14 +175,6 @@ std::vector<std::string> Viewer::warnings() const {
     all.insert(all.end(), environmentWarnings_.begin(), environmentWarnings_.end());
     for (std::string& warning : closednessWarnings(scene_)) all.push_back(std::move(warning));
     return all;
-}
-
-std::string Viewer::commandLine() const {
-    SessionOptions options = options_;
-    options.camera.eye = camera_.eye;
-    options.camera.target = camera_.target;
-    options.camera.fovDegrees = camera_.verticalFov / kDegree;
-    return tukor::commandLine("tukor render", options);
 }
 
 }  // namespace tukor::web

@@ -26,9 +26,11 @@ public:
     void setBuiltInEnvironment(std::string_view name);
     void setEnvironment(const std::string& name, Image picture);
 
-    /// An option of `tukor render` by its name, from text.
+    /// `fidelity`, `fresnel`, `background` or `tone-map`, as `tukor render` spells their values.
     void setOption(std::string_view name, std::string_view text);
-    void resetOption(std::string_view name);
+    /// Rotation in radians about +Y, factor on radiance.
+    void setLight(float rotation, float intensity) noexcept;
+    void setExposure(float stops) noexcept { display_.exposureStops = stops; }
     void setCamera(const Camera& camera) noexcept { camera_ = camera; }
 
     /// Draws one more frame of the picture into the canvas. Returns the samples in it.
@@ -49,14 +51,14 @@ public:
     [[nodiscard]] Camera framing(float aspect) const noexcept;
     [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
     [[nodiscard]] std::vector<std::string> warnings() const;
-    [[nodiscard]] std::string commandLine() const;
 
 private:
     [[nodiscard]] gl::FrameOptions frameOptions(int width, int height) const noexcept;
     void useEnvironment(Environment environment);
 
     gl::Renderer renderer_;
-    SessionOptions options_;
+    RenderOptions options_;
+    gl::DisplayOptions display_;
     Scene scene_;
     std::vector<Material> ownMaterials_;  // the parts' before setMaterials()
     std::vector<std::string> environmentWarnings_;

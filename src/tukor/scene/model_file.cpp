@@ -66,7 +66,12 @@ Scene loadModel(const std::string& nameOrPath, const ModelOptions& options) {
     if (!path.has_parent_path() && !path.has_extension()) {
         if (std::optional<std::vector<ShapePart>> shape = makeShape(nameOrPath))
             return sceneOf(std::move(*shape), options);
-        if (!fs::exists(path))
+#ifdef __EMSCRIPTEN__
+        constexpr bool there = false;  // files in memory have extensions
+#else
+        const bool there = fs::exists(path);
+#endif
+        if (!there)
             throw Error(fmt::format("{}: no such model; expected a file or one of {}", nameOrPath,
                                     fmt::join(shapeNames(), ", ")));
     }
