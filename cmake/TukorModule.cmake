@@ -3,9 +3,9 @@
 #   tukor_module(optics DEPENDS base PUBLIC glm::glm PRIVATE Foo::foo)
 #
 # Sources are the folder's *.cpp; headers its *.h, installed by their path below src. NATIVE_ONLY names sources that the
-# WebAssembly build leaves out: what a browser does itself, or forbids.
+# WebAssembly build leaves out, WEB the only ones that it takes: the rest is what a browser does itself, or forbids.
 function(tukor_module name)
-    cmake_parse_arguments(arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST_LIBRARIES;NATIVE_ONLY" ${ARGN})
+    cmake_parse_arguments(arg "" "" "DEPENDS;PUBLIC;PRIVATE;TEST_LIBRARIES;NATIVE_ONLY;WEB" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS *.cpp)
     file(GLOB headers CONFIGURE_DEPENDS *.h)
     list(FILTER headers EXCLUDE REGEX "/test_[a-z_]*\\.h$")  # shared by tests, not installed
@@ -13,7 +13,10 @@ function(tukor_module name)
     if(tests)
         list(REMOVE_ITEM sources ${tests})
     endif()
-    if(EMSCRIPTEN AND arg_NATIVE_ONLY)
+    if(EMSCRIPTEN AND arg_WEB)
+        list(TRANSFORM arg_WEB PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+        set(sources ${arg_WEB})
+    elseif(EMSCRIPTEN AND arg_NATIVE_ONLY)
         list(TRANSFORM arg_NATIVE_ONLY PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
         list(REMOVE_ITEM sources ${arg_NATIVE_ONLY})
     endif()

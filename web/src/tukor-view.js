@@ -25,30 +25,24 @@ canvas:focus-visible { outline: 3px solid #2f7cf6; outline-offset: -3px; }
 `;
 let sheet;
 
-/** Attribute name -> option of the library, for those that are passed on as they are. */
-const OPTIONS = {
-  "environment-rotation": ["environment-rotation", (text) => degrees(text)],
-  "environment-intensity": ["environment-intensity", numeric],
-  background: ["background", (text) => text.trim()],
-  fidelity: ["fidelity", (text) => text.trim()],
-  fresnel: ["fresnel", (text) => text.trim()],
-  exposure: ["exposure", numeric],
-  "tone-map": ["tonemap", (text) => text.trim()],
+/** Attributes with a word for a value, which the library reads, and the word when there is none. */
+const CHOICES = { background: "quad", fidelity: "exact", fresnel: "exact", "tone-map": "neutral" };
+/** Attributes with a figure: how it is read, in the library's unit, and the figure when there is none. */
+const FIGURES = {
+  "environment-rotation": [angle, 0],
+  "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
+  exposure: [number, 0],
 };
 const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 const OTHERS = ["src", "environment", "material", "alt", "poster", "loading", "reveal", "auto-rotate", "camera-controls"];
 
-function degrees(text) {
-  const value = angle(text);
-  return value === null ? null : String((value * 180) / Math.PI);
-}
-function numeric(text) {
-  const value = number(text);
-  return value === null ? null : String(value);
+/** A word as a POSIX shell takes it. */
+function shellQuoted(word) {
+  return /^[\w.,:/=*?-]+$/.test(word) && !/[*?]/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
 }
 
 export class TukorView extends HTMLElement {
-  static observedAttributes = [...Object.keys(OPTIONS), ...CAMERA, ...OTHERS];
+  static observedAttributes = [...Object.keys(CHOICES), ...Object.keys(FIGURES), ...CAMERA, ...OTHERS];
 
   #root = this.attachShadow({ mode: "open" });
   #canvas;
@@ -69,6 +63,7 @@ export class TukorView extends HTMLElement {
   #loaded = false;
   #dismissed = false;
   #ready = { src: false, environment: false };
+  #names = { src: "", environment: "studio" }; // of what is shown
 
   constructor() {
     super();
@@ -106,6 +101,7 @@ export class TukorView extends HTMLElement {
       event.preventDefault(); // or it will not come back
       this.#engine = this.#starting = null;
       this.#loaded = false;
+      this.#ready = { src: false, environment: false };
     }, { signal: stop.signal });
     this.#canvas.addEventListener("webglcontextrestored", () => this.#start(true), { signal: stop.signal });
     document.addEventListener("visibilitychange", () => this.#wake(), { signal: stop.signal });
@@ -136,7 +132,7 @@ export class TukorView extends HTMLElement {
     if (name === "src") this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
     else if (name === "material") this.#guard(() => this.#materials());
-    else if (name in OPTIONS) this.#guard(() => this.#option(name));
+    else if (name in CHOICES || name in FIGURES) this.#guard(() => this.#option(name));
     else if (CAMERA.includes(name)) this.#guard(() => this.#cameraAttribute(name));
     this.#changed();
   }
@@ -152,8 +148,22 @@ export class TukorView extends HTMLElement {
   /** Parts of the model: [{name, material}], in drawing order. */
   get parts() { return this.#engine ? this.#engine.json("tukor_parts") : []; }
 
-  /** The `tukor render` command that gives the present view. */
-  get command() { return this.#engine ? this.#engine.text("tukor_command_line") : ""; }
+  /** The `tukor render` command that gives the present view; files are named as the page names them. */
+  get command() {
+    if (!this.#engine) return "";
+    const { eye, target, fov } = this.#camera.view();
+    const figures = (values) => values.map((value) => +value.toFixed(5)).join(",");
+    const words = ["tukor", "render", this.#names.src];
+    for (const one of (this.getAttribute("material") ?? "").split(";")) if (one.trim()) words.push("--material", one.trim());
+    words.push("--environment", this.#names.environment);
+    for (const name of Object.keys(CHOICES))
+      if (this.hasAttribute(name)) words.push(name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name).trim());
+    for (const name of Object.keys(FIGURES))
+      if (this.hasAttribute(name)) words.push(`--${name}`, figures([this.#figure(name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]));
+    words.push("--eye", figures(eye), "--target", figures(target), "--fov", figures([(fov * 180) / Math.PI]));
+    words.push("--size", `${this.#canvas.width}x${this.#canvas.height}`, "-o", "view.png");
+    return words.map(shellQuoted).join(" ");
+  }
 
   /** Ends the easing of the camera: the view is its goal from the next frame on. */
   jumpCameraToGoal() {
@@ -257,7 +267,7 @@ export class TukorView extends HTMLElement {
       return;
     }
     this.#engine = engine;
-    for (const name of Object.keys(OPTIONS)) if (this.hasAttribute(name)) this.#guard(() => this.#option(name));
+    for (const name of [...Object.keys(CHOICES), ...Object.keys(FIGURES)]) if (this.hasAttribute(name)) this.#guard(() => this.#option(name));
     this.#progress(0.2);
     await Promise.all([this.#loadModel(), this.#loadEnvironment()]);
   }
@@ -276,6 +286,7 @@ export class TukorView extends HTMLElement {
     try {
       const builtIn = !file && /^[a-z-]+$/.test(src);
       const bytes = builtIn ? new Uint8Array() : file ? new Uint8Array(await file.arrayBuffer()) : await this.#bytes(new URL(src, document.baseURI), name);
+      if (!builtIn && bytes.length === 0) throw new Error(`${name}: an empty file`);
       if (serial !== this.#serial.src || !this.#engine) return;
       const files = builtIn ? [] : await this.#neighbours(bytes, name, file ? null : new URL(src, document.baseURI));
       if (serial !== this.#serial.src || !this.#engine) return;
@@ -287,6 +298,7 @@ export class TukorView extends HTMLElement {
       this.#materials();
       for (const attribute of CAMERA) this.#cameraAttribute(attribute);
       this.#camera.jump();
+      this.#names.src = src;
       this.#arrived("src");
     } catch (error) {
       this.#fail(error, name);
@@ -313,12 +325,14 @@ export class TukorView extends HTMLElement {
     try {
       const builtIn = !file && /^[a-z]+$/.test(source);
       const bytes = builtIn ? new Uint8Array() : file ? new Uint8Array(await file.arrayBuffer()) : await this.#bytes(new URL(source, document.baseURI), name);
+      if (!builtIn && bytes.length === 0) throw new Error(`${name}: an empty file`);
       const image = builtIn ? null : await readEnvironment(name, bytes);
       if (serial !== this.#serial.environment || !this.#engine) return;
       if (builtIn) this.#engine.call("tukor_set_environment", name, bytes, 0);
       else if (image.radiance) this.#engine.call("tukor_set_environment_radiance", name, image.radiance, image.width, image.height);
       else if (image.srgb) this.#engine.call("tukor_set_environment_srgb", name, image.srgb, image.width, image.height);
       else this.#engine.call("tukor_set_environment", name, image.bytes, image.bytes.length);
+      this.#names.environment = source;
       this.#arrived("environment");
     } catch (error) {
       this.#fail(error, name);
@@ -345,17 +359,21 @@ export class TukorView extends HTMLElement {
   // ---- attributes ----
 
   #materials() {
-    if (!this.#ready.src && !this.#engine) return;
     this.#engine.call("tukor_set_materials", this.getAttribute("material") ?? "");
   }
 
   #option(name) {
-    const [option, parse] = OPTIONS[name];
+    if (name in CHOICES) this.#engine.call("tukor_set_option", name, (this.getAttribute(name) ?? CHOICES[name]).trim());
+    else if (name === "exposure") this.#engine.call("tukor_set_exposure", this.#figure(name));
+    else this.#engine.call("tukor_set_light", this.#figure("environment-rotation"), this.#figure("environment-intensity"));
+  }
+
+  #figure(name) {
+    const [read, standard] = FIGURES[name];
     const text = this.getAttribute(name);
-    if (text === null) return this.#engine.call("tukor_reset_option", option);
-    const value = parse(text);
+    const value = text === null ? standard : read(text);
     if (value === null) throw new Error(`${name}="${text}": not understood`);
-    return this.#engine.call("tukor_set_option", option, value);
+    return value;
   }
 
   #cameraAttribute(name) {

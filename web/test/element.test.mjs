@@ -1,0 +1,199 @@
+// The element as a page sees it: attributes, events, methods, controls, and what happens when things go wrong.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { open, picture } from "./browser.mjs";
+import { hdrFile } from "./light.mjs";
+
+const truncated = hdrFile(64).subarray(0, 3000);
+let browser;
+before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256), "/test/truncated.hdr": truncated, "/test/empty.glb": Buffer.alloc(0), "/test/wrong.glb": Buffer.from("not a model at all") })));
+after(() => browser.close());
+
+const small = { width: 96, height: 64 };
+const knot = { src: "torus-knot", material: "gold", environment: "light.hdr", fidelity: "single" };
+
+async function element(attributes, options = {}) {
+  const page = await browser.element({ ...knot, ...attributes }, { ...small, ...options });
+  page.said = (type) => page.evaluate((type) => window.said.filter((event) => event.type === type), type);
+  return page;
+}
+
+test("says progress up to 1, then load, once, and no error", async () => {
+  const page = await element({});
+  const said = await page.evaluate(() => window.said.map(({ type, totalProgress }) => [type, totalProgress]));
+  const progress = said.filter(([type]) => type === "progress").map(([, fraction]) => fraction);
+  assert.deepEqual(progress, progress.toSorted((a, b) => a - b));
+  assert.equal(progress.at(-1), 1);
+  assert.equal(said.filter(([type]) => type === "load").length, 1);
+  assert.equal(said.filter(([type]) => type === "error").length, 0);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test("attributes and properties act live", async () => {
+  const page = await element({});
+  const first = await picture(page, { ...small, samples: 1 });
+  const differs = async (change) => {
+    await page.evaluate(change);
+    const next = await picture(page, { ...small, samples: 1 });
+    assert.notDeepEqual(next.data, first.data, String(change));
+    assert.deepEqual(await page.said("error"), [], String(change));
+  };
+  await differs(() => (window.view.material = "silver"));
+  await differs(() => window.view.setAttribute("exposure", "-1"));
+  await differs(() => (window.view.cameraOrbit = "40deg 60deg auto"));
+  await differs(() => (window.view.environmentRotation = "90deg"));
+  await differs(() => (window.view.environmentIntensity = "0.5"));
+  await differs(() => (window.view.toneMap = "agx"));
+  await differs(() => (window.view.fieldOfView = "60deg"));
+  await page.evaluate(() => {
+    for (const name of ["exposure", "camera-orbit", "environment-rotation", "environment-intensity", "tone-map", "field-of-view"]) window.view.removeAttribute(name);
+    window.view.material = "gold";
+  });
+  const again = await picture(page, { ...small, samples: 1 });
+  assert.deepEqual(again.data, first.data, "removing the attributes gives the first picture back");
+  await page.context().close();
+});
+
+test("what is not understood is said, and the picture stays", async () => {
+  const page = await element({});
+  const message = async (change) => {
+    await page.evaluate(() => (window.said.length = 0));
+    await page.evaluate(change);
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "error"));
+    return (await page.said("error"))[0].message;
+  };
+  assert.match(await message(() => (window.view.material = "unobtainium")), /unobtainium/);
+  assert.match(await message(() => (window.view.fidelity = "best")), /^fidelity: .*'best'|best/);
+  assert.equal(await message(() => (window.view.exposure = "bright")), 'exposure="bright": not understood');
+  assert.match(await message(() => (window.view.cameraOrbit = "left")), /^camera-orbit="left": expected three values/);
+  assert.equal(await message(() => (window.view.src = "missing.glb")), "missing.glb: 404 Not Found");
+  assert.equal(await message(() => (window.view.src = "cone")), "cone: no such model; expected a file or one of sphere, torus-knot, teapot, brilliant, tumbler, water, wine-glass, cube");
+  assert.equal(await message(() => (window.view.src = "empty.glb")), "empty.glb: an empty file");
+  assert.match(await message(() => (window.view.src = "wrong.glb")), /^wrong\.glb: /);
+  assert.match(await message(() => (window.view.environment = "truncated.hdr")), /^truncated\.hdr: /);
+  assert.match(await message(() => (window.view.environment = "moon")), /^moon: no such environment; built in are studio, sky/);
+  const still = await picture(page, { ...small, samples: 1 });
+  assert.equal(still.width, small.width);
+  await page.context().close();
+});
+
+test("parts have names, materials go to them, points of the picture find them", async () => {
+  const page = await element({ src: "tumbler", material: "water=gold" });
+  assert.deepEqual(await page.evaluate(() => window.view.parts.map(({ name }) => name)), ["glass", "water"]);
+  const box = await page.evaluate(() => window.view.getBoundingClientRect().toJSON());
+  assert.equal(await page.evaluate(({ x, y, width, height }) => window.view.partAtPoint(x + width / 2, y + height / 2), box), "glass");
+  assert.equal(await page.evaluate(({ x, y }) => window.view.partAtPoint(x + 1, y + 1), box), null);
+  await page.context().close();
+});
+
+test("the command names model, light and view", async () => {
+  const page = await element({ material: "*=gold; *=silver", "camera-orbit": "0deg 90deg 4m", "camera-target": "0m 0m 0m", exposure: "1" });
+  assert.equal(await page.evaluate(() => window.view.command),
+    "tukor render torus-knot --material '*=gold' --material '*=silver' --environment light.hdr --fidelity single --exposure 1 --eye 0,0,4 --target 0,0,0 --fov 40 --size 96x64 -o view.png");
+  await page.context().close();
+});
+
+test("toBlob gives a PNG of any size", async () => {
+  const page = await element({});
+  const signature = await page.evaluate(async () => {
+    const blob = await window.view.toBlob({ width: 50, height: 40, samples: 1 });
+    const bitmap = await createImageBitmap(blob);
+    return [blob.type, bitmap.width, bitmap.height, (await window.view.toDataURL("image/jpeg")).slice(0, 23)];
+  });
+  assert.deepEqual(signature, ["image/png", 50, 40, "data:image/jpeg;base64,"]);
+  await page.context().close();
+});
+
+test("mouse, wheel and keys move the camera, and only with camera-controls", async () => {
+  const page = await element({ "camera-controls": "" });
+  const orbit = () => page.evaluate(() => (window.view.jumpCameraToGoal(), { ...window.view.getCameraOrbit() }));
+  const before = await orbit();
+  await page.mouse.move(40, 30);
+  await page.mouse.down();
+  await page.mouse.move(70, 30, { steps: 3 });
+  await page.mouse.up();
+  const dragged = await orbit();
+  assert.ok(dragged.theta < before.theta - 0.5, "a drag to the right turns the model to the right");
+  await page.mouse.wheel(0, 200);
+  const zoomed = await orbit();
+  assert.ok(zoomed.radius > before.radius * 1.2);
+  await page.keyboard.press("ArrowUp");
+  assert.ok((await orbit()).phi < zoomed.phi - 0.1);
+  await page.waitForFunction(() => window.view.shadowRoot.querySelector("[role=status]").textContent.startsWith("View from stage"));
+  assert.equal(await page.evaluate(() => window.view.shadowRoot.querySelector("canvas").getAttribute("role")), "application");
+  assert.ok((await page.said("camera-change")).length > 0);
+  await page.evaluate(() => (window.view.cameraControls = false));
+  const fixed = await orbit();
+  await page.mouse.move(40, 30);
+  await page.mouse.down();
+  await page.mouse.move(70, 30);
+  await page.mouse.up();
+  assert.deepEqual(await orbit(), fixed);
+  await page.context().close();
+});
+
+test("one finger turns, two pinch", async () => {
+  const page = await element({ "camera-controls": "" }, { hasTouch: true });
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const orbit = () => page.evaluate(() => (window.view.jumpCameraToGoal(), { ...window.view.getCameraOrbit() }));
+  const before = await orbit();
+  await touch("touchStart", [30, 40]);
+  await touch("touchMove", [60, 40]);
+  await touch("touchEnd");
+  const turned = await orbit();
+  assert.ok(turned.theta < before.theta - 0.5);
+  await touch("touchStart", [40, 40], [50, 40]);
+  await touch("touchMove", [30, 40], [70, 40]);
+  await touch("touchEnd");
+  assert.ok((await orbit()).radius < 0.5 * turned.radius, "spreading four times as wide comes four times closer");
+  await page.context().close();
+});
+
+test("a lost context comes back with the same picture", async () => {
+  const page = await element({});
+  const before = await picture(page, { ...small, samples: 1 });
+  await page.evaluate(async () => {
+    window.said.length = 0;
+    const gl = window.view.shadowRoot.querySelector("canvas").getContext("webgl2");
+    const extension = gl.getExtension("WEBGL_lose_context");
+    extension.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    extension.restoreContext();
+  });
+  await page.waitForFunction(() => window.said.some(({ type }) => type === "load"));
+  const after = await picture(page, { ...small, samples: 1 });
+  assert.deepEqual(after.data, before.data);
+  await page.context().close();
+});
+
+test("elements can be taken off the page and put back, many times", async () => {
+  const page = await element({});
+  for (let i = 0; i < 20; i++) // more contexts than a browser keeps
+    await page.evaluate(async () => {
+      window.view.remove();
+      window.said.length = 0;
+      document.body.append(window.view);
+      await new Promise((resolve, reject) => {
+        window.view.addEventListener("load", resolve, { once: true });
+        window.view.addEventListener("error", (event) => reject(new Error(event.detail.message)), { once: true });
+      });
+    });
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test("without WebGL 2 it says so", async () => {
+  const page = await browser.blank();
+  const message = await page.evaluate(async () => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+    const view = document.createElement("tukor-view");
+    view.src = "sphere";
+    const said = new Promise((resolve) => view.addEventListener("error", (event) => resolve(event.detail.message)));
+    document.body.append(view);
+    return said;
+  });
+  assert.equal(message, "WebGL 2 is not available in this browser");
+  await page.context().close();
+});

@@ -1,0 +1,68 @@
+// The example page and the editor, and what a page has to fetch.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { brotliCompressSync } from "node:zlib";
+import { open } from "./browser.mjs";
+import { hdrFile } from "./light.mjs";
+
+let browser;
+before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256) })));
+after(() => browser.close());
+
+async function audit(page) {
+  await page.evaluate(await readFile(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8"));
+  const { violations } = await page.evaluate(() => window.axe.run());
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
+}
+
+async function visit(path) {
+  const page = await browser.blank();
+  await page.goto(`${browser.origin}${path}`);
+  await page.waitForFunction(() => document.querySelector("tukor-view").loaded, null, { timeout: 120000 });
+  return page;
+}
+
+for (const path of ["/", "/editor.html"])
+  test(`${path} loads without an error, and axe-core finds nothing`, async () => {
+    const page = await visit(path);
+    assert.deepEqual(await audit(page), []);
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });
+
+test("the editor takes a dropped environment and writes HTML and command", async () => {
+  const page = await visit("/editor.html");
+  await page.evaluate(async () => {
+    const bytes = await (await fetch("test/light.hdr")).arrayBuffer();
+    const data = new DataTransfer();
+    data.items.add(new File([bytes], "dropped.hdr"));
+    document.querySelector("tukor-view").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  });
+  await page.waitForFunction(() => document.querySelector("tukor-view").command.includes("--environment dropped.hdr"));
+  await page.selectOption("#part", "water");
+  await page.fill("#material", "ice");
+  await page.locator("#material").blur();
+  assert.equal(await page.getAttribute("tukor-view", "material"), "water=ice");
+  assert.match(await page.inputValue("#html"), /<tukor-view src="tumbler".* material="water=ice"/);
+  assert.match(await page.inputValue("#command"), /^tukor render tumbler --material 'water=ice'|^tukor render tumbler --material water=ice/);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test("a page with a model and an .hdr fetches at most 130 KB of code, compressed", async () => {
+  const page = await browser.blank();
+  const fetched = new Set();
+  page.on("request", (request) => /\/dist\//.test(request.url()) && fetched.add(new URL(request.url()).pathname));
+  await page.reload();
+  await page.evaluate(() => {
+    document.body.innerHTML = '<tukor-view src="sphere" environment="light.hdr" fidelity="single"></tukor-view>';
+  });
+  await page.waitForFunction(() => document.querySelector("tukor-view").loaded, null, { timeout: 60000 });
+  let bytes = 0;
+  for (const path of fetched) bytes += brotliCompressSync(await readFile(new URL(`..${path}`, import.meta.url))).length;
+  console.log(`# ${[...fetched].join(" ")}: ${(bytes / 1000).toFixed(1)} KB`);
+  assert.ok(fetched.size >= 3);
+  assert.ok(bytes <= 130000, `${bytes} bytes`);
+  await page.context().close();
+});
