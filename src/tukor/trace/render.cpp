@@ -28,7 +28,7 @@ PassGoals goalsOf(const RenderOptions& options) {
         goals.samples = static_cast<std::uint32_t>(
             std::clamp(*options.samples, 1, static_cast<int>(kMostSamples)));
     } else {
-        goals.samples = options.error || options.timeSeconds ? kMostSamples : 256;
+        goals.samples = options.error || options.timeSeconds ? kMostSamples : 32;
     }
     if (options.error) goals.error = *options.error;
     if (options.timeSeconds) goals.timeSeconds = *options.timeSeconds;
