@@ -110,7 +110,7 @@ void GltfDocument::checkVersion() const {
 }
 
 void GltfDocument::readBuffers() {
-    const std::vector<JsonItem> buffers = root().list("buffers");
+    const JsonList buffers = root().list("buffers");
     if (buffers.size() > kMostBuffers)
         root().fail(fmt::format("{} buffers; at most {} are read", buffers.size(), kMostBuffers));
     for (std::size_t i = 0; i < buffers.size(); ++i) {
@@ -182,7 +182,7 @@ std::span<const std::byte> GltfDocument::range(const JsonItem& user) const {
 
 void GltfDocument::decodeViews() {
     std::size_t total = 0, index = 0;
-    for (const JsonItem& view : root().list("bufferViews")) {
+    for (const JsonItem view : root().list("bufferViews")) {
         const std::size_t number = index++;
         const std::optional<JsonItem> extensions = view.find("extensions");
         if (!extensions) continue;

@@ -37,7 +37,7 @@ bool isAppearance(std::string_view name) {
 }  // namespace
 
 void refuseUnknownExtensions(const JsonItem& root) {
-    for (const JsonItem& item : root.list("extensionsRequired")) {
+    for (const JsonItem item : root.list("extensionsRequired")) {
         const std::string& name = item.text();
         if (contains(kRead, name) || contains(kHarmless, name) || isAppearance(name)) continue;
         item.fail(fmt::format("the file requires the extension {}, which is not supported",
@@ -46,7 +46,7 @@ void refuseUnknownExtensions(const JsonItem& root) {
 }
 
 void noteFeatures(const JsonItem& root, Notes& notes) {
-    for (const JsonItem& item : root.list("extensionsUsed")) {
+    for (const JsonItem item : root.list("extensionsUsed")) {
         const std::string& name = item.text();
         if (!contains(kRead, name) && !contains(kHarmless, name))
             notes.add("extensions that are not rendered", name);

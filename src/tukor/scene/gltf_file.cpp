@@ -38,7 +38,7 @@ void checkTotal(const GltfDocument& document, const std::vector<GltfPlaced>& pla
         auto known = counts.find(one.index);
         if (known == counts.end()) {
             std::pair<std::uint64_t, std::size_t> count{0, 0};
-            for (const JsonItem& primitive :
+            for (const JsonItem primitive :
                  document.item("meshes", one.index, root).list("primitives")) {
                 count.first += triangleCountOf(document, primitive);
                 ++count.second;
@@ -101,7 +101,7 @@ private:
 
     void addMesh(const GltfPlaced& placed) {
         const JsonItem mesh = document_.item("meshes", placed.index, document_.root());
-        for (const JsonItem& primitive : mesh.list("primitives")) {
+        for (const JsonItem primitive : mesh.list("primitives")) {
             Mesh triangles = readPrimitive(document_, primitive, placed.name, notes_);
             if (triangles.triangles.empty()) continue;
             triangles = finishedMesh(placedMesh(std::move(triangles), placed), options_.creaseAngle,

@@ -37,7 +37,9 @@ glm::dmat4 localTransform(const JsonItem& node) {
 
 std::vector<std::size_t> indices(const JsonItem& owner, const char* name) {
     std::vector<std::size_t> values;
-    for (const JsonItem& item : owner.list(name)) values.push_back(item.count());
+    const JsonList list = owner.list(name);
+    values.reserve(list.size());
+    for (const JsonItem item : list) values.push_back(item.count());
     return values;
 }
 
@@ -46,7 +48,7 @@ std::vector<std::size_t> rootNodes(const GltfDocument& document, std::size_t nod
     if (root.find("scenes") || root.find("scene"))
         return indices(document.item("scenes", root.countOr("scene", 0), root), "nodes");
     std::vector<bool> isChild(nodes, false);
-    for (const JsonItem& node : root.list("nodes"))
+    for (const JsonItem node : root.list("nodes"))
         for (const std::size_t child : indices(node, "children"))
             if (child < nodes) isChild[child] = true;
     std::vector<std::size_t> roots;

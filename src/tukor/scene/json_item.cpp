@@ -12,7 +12,7 @@ namespace tukor {
 namespace {
 
 constexpr int kDeepest = 64;                    // extras and extensions nest; ten levels are many
-constexpr std::size_t kMostValues = 4'000'000;  // at 16 bytes and up
+constexpr std::size_t kMostValues = 2'000'000;  // at 16 bytes and up
 
 // Bounds what the parser will allocate, before it does.
 void checkSize(std::string_view name, std::string_view text) {
@@ -124,14 +124,8 @@ JsonItem JsonItem::operator[](std::size_t index) const {
     return child((*value_)[index], nullptr, index);
 }
 
-std::vector<JsonItem> JsonItem::list(const char* name) const {
-    std::vector<JsonItem> items;
-    if (const std::optional<JsonItem> array = find(name)) {
-        const std::size_t count = array->size();
-        items.reserve(count);
-        for (std::size_t i = 0; i < count; ++i) items.push_back((*array)[i]);
-    }
-    return items;
+JsonList JsonItem::list(const char* name) const {
+    return JsonList(find(name));
 }
 
 double JsonItem::number() const {

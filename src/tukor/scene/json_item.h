@@ -15,8 +15,10 @@
 namespace tukor {
 
 /// Parses a whole document. Throws Error, opened by `name`, where it is not JSON, nests deeper than
-/// 64 levels, or holds more than four million values.
+/// 64 levels, or holds more than two million values.
 [[nodiscard]] nlohmann::json parseJson(std::string_view name, std::span<const std::byte> text);
+
+class JsonList;
 
 /// A value and the path to it, such as `a.gltf: meshes[2].primitives[0]`. Refers to the document
 /// and its name; member names must outlive it, as literals do.
@@ -40,7 +42,7 @@ public:
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] JsonItem operator[](std::size_t index) const;
     /// The elements of an array member; none where it is absent.
-    [[nodiscard]] std::vector<JsonItem> list(const char* name) const;
+    [[nodiscard]] JsonList list(const char* name) const;
 
     [[nodiscard]] double number() const;      // finite
     [[nodiscard]] std::size_t count() const;  // a whole number from 0 to 2^53
@@ -83,6 +85,38 @@ private:
     const std::string* document_;
     std::array<Step, kSteps> path_{};
     std::size_t depth_ = 0;
+};
+
+/// The elements of an array, made one by one as they are walked over.
+class JsonList {
+public:
+    explicit JsonList(std::optional<JsonItem> array)
+        : array_(std::move(array)), size_(array_ ? array_->size() : 0) {}
+
+    class Iterator {
+    public:
+        Iterator(const JsonList* list, std::size_t index) : list_(list), index_(index) {}
+        JsonItem operator*() const { return (*list_)[index_]; }
+        Iterator& operator++() {
+            ++index_;
+            return *this;
+        }
+        bool operator==(const Iterator& other) const { return index_ == other.index_; }
+
+    private:
+        const JsonList* list_;
+        std::size_t index_;
+    };
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] JsonItem operator[](std::size_t index) const { return (*array_)[index]; }
+    [[nodiscard]] Iterator begin() const { return {this, 0}; }
+    [[nodiscard]] Iterator end() const { return {this, size_}; }
+
+private:
+    std::optional<JsonItem> array_;
+    std::size_t size_;
 };
 
 }  // namespace tukor
