@@ -22,7 +22,7 @@ vec3 environmentRadiance(vec3 d, float level) {
 }
 
 // Radians a pixel. Beyond it, at silhouettes, extrapolation says nothing about the neighbours.
-const float kLargestStep = 0.5;
+const float kLargestStep = 0.1;
 
 vec3 limitedStep(vec3 step) {
     return step * min(1.0, kLargestStep * inversesqrt(max(dot(step, step), 1e-12)));
