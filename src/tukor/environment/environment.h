@@ -49,8 +49,9 @@ struct Environment {
 [[nodiscard]] Environment environmentFromPicture(const std::string& name, Image picture,
                                                  const EnvironmentOptions& options = {});
 
-/// From a built-in name (`studio`, `sky`), an image file that is an equirectangular panorama, cross
-/// or strip by its shape, a pattern of six files (`sky_{}.png`) or a folder with six.
+/// From a built-in name (`studio`, `sky`), a texture file with a cube map, an image file that is an
+/// equirectangular panorama, cross or strip by its shape, a pattern of six files (`sky_{}.png`) or
+/// a folder with six.
 ///
 /// A file wins over a built-in only when it is given with a folder or an extension. Throws Error.
 [[nodiscard]] Environment loadEnvironment(const std::string& nameOrPath,

@@ -11,6 +11,7 @@
 #include "tukor/environment/environment.h"
 #include "tukor/environment/layout.h"
 #include "tukor/environment/repair.h"
+#include "tukor/environment/texture_chain.h"
 #include "tukor/image/image_file.h"
 
 namespace tukor {
@@ -55,7 +56,14 @@ Environment loadEnvironment(const std::string& nameOrPath, const EnvironmentOpti
     if (!fs::exists(status) && !path.has_extension() && !path.has_parent_path())
         throw Error(fmt::format("{}: no such environment; built in are {}, anything else is a file",
                                 nameOrPath, fmt::join(builtInEnvironmentNames(), ", ")));
-    return environmentFromPicture(nameOrPath, loadImage(path), options);
+    if (std::optional<TextureFile> texture = loadIfTexture(path); texture && texture->faces == 6) {
+        const RepairCount repairs = repairFaces(*texture);
+        CubeMap cube = cubeFromTexture(*texture);
+        if (options.faceSize && *options.faceSize != cube.faceSize())
+            cube = resizedCube(cube, *options.faceSize);
+        return {nameOrPath, std::move(cube), describeRepairs(repairs)};
+    }
+    return environmentFromPicture(nameOrPath, loadPicture(path), options);
 }
 
 }  // namespace tukor

@@ -13,6 +13,7 @@
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/layout.h"
 #include "tukor/environment/repair.h"
+#include "tukor/environment/texture_chain.h"
 
 namespace tukor {
 
@@ -75,7 +76,16 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
         source.warnings = std::move(environment.warnings);
         return source;
     }
-    Image picture = loadImage(nameOrPath);
+    if (std::optional<TextureFile> texture = loadIfTexture(nameOrPath);
+        texture && texture->faces == 6) {
+        source.warnings = describeRepairs(repairFaces(*texture));
+        source.layout = fmt::format("cube map of {} levels", texture->levels);
+        source.width = texture->width;
+        source.height = texture->height;
+        source.cube = cubeFromTexture(*texture);
+        return source;
+    }
+    Image picture = loadPicture(nameOrPath);
     source.warnings = describeRepairs(repairRadiance(picture));
     source.width = picture.width();
     source.height = picture.height();
@@ -124,17 +134,29 @@ Image panoramaOf(WorkSource&& source) {
 
 void checkWorkTarget(const std::string& path, PictureForm form) {
     const bool pattern = path.find("{}") != std::string::npos;
-    if (form == PictureForm::faces && !pattern)
-        throw Error(fmt::format(
-            "{}: six faces need a pattern with {{}} for the face, as sky_{{}}.exr", path));
     if (form != PictureForm::faces && pattern)
         throw Error(
             fmt::format("{}: {{}} stands for the face, but this layout is one picture", path));
+    if (hasTextureExtension(path)) {
+        if (form != PictureForm::faces)
+            throw Error(fmt::format(
+                "{}: this file type holds the six faces of a cube map; leave out --layout", path));
+        return;
+    }
+    if (form == PictureForm::faces && !pattern)
+        throw Error(fmt::format(
+            "{}: six faces need a pattern with {{}} for the face, as sky_{{}}.exr", path));
     checkSavable(path);
 }
 
+void saveLevels(const std::string& path, std::span<const CubeMap> levels,
+                const TextureOptions& options) {
+    saveTexture(path, textureFromCubes(levels), options);
+}
+
 void saveWork(const std::string& path, WorkSource& source, PictureForm form,
-              std::optional<int> size, const SaveOptions& options) {
+              std::optional<int> size, const SaveOptions& options,
+              const TextureOptions& textureOptions) {
     checkWorkTarget(path, form);
     switch (form) {
         case PictureForm::equirect: {
@@ -157,6 +179,12 @@ void saveWork(const std::string& path, WorkSource& source, PictureForm form,
         }
         case PictureForm::faces: {
             const CubeMap cube = cubeOf(source, size);
+            if (hasTextureExtension(path)) {
+                std::vector<CubeMap> levels{cube};
+                for (CubeMap& mip : cubeMips(cube)) levels.push_back(std::move(mip));
+                saveLevels(path, levels, textureOptions);
+                return;
+            }
             for (const CubeFace face : kCubeFaces) {
                 std::string file = path;
                 file.replace(file.find("{}"), 2, kFaceNames[0][static_cast<std::size_t>(face)]);

@@ -1,6 +1,7 @@
 // Environments on their way from file to file: what `tukor environment` does.
 #pragma once
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "tukor/environment/prefilter.h"
 #include "tukor/environment/sun.h"
 #include "tukor/image/image_file.h"
+#include "tukor/image/texture_file.h"
 
 namespace tukor {
 
@@ -42,9 +44,15 @@ void turn(WorkSource& source, double radians);
 void checkWorkTarget(const std::string& path, PictureForm form);
 
 /// Writes in the given form; `size` is the width of a panorama or else the edge of a face or
-/// picture; none keeps the detail of the source.
+/// picture; none keeps the detail of the source. A texture file takes a cube map and all its
+/// levels.
 void saveWork(const std::string& path, WorkSource& source, PictureForm form,
-              std::optional<int> size, const SaveOptions& options);
+              std::optional<int> size, const SaveOptions& options,
+              const TextureOptions& textureOptions = {});
+
+/// All levels of a chain in one texture file. Throws Error.
+void saveLevels(const std::string& path, std::span<const CubeMap> levels,
+                const TextureOptions& options = {});
 
 /// Lines of text: layout, size, range, mean, repairs, sun, harmonics.
 [[nodiscard]] std::string describeWork(WorkSource source);

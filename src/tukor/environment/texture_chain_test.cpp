@@ -1,0 +1,45 @@
+#include "tukor/environment/texture_chain.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tukor/environment/cube_mips.h"
+#include "tukor/environment/environment.h"
+#include "tukor/environment/procedural.h"
+
+namespace tukor {
+namespace {
+
+TEST(TextureChain, BringsTheLevelsBack) {
+    std::vector<CubeMap> levels{studioCube(16)};
+    for (CubeMap& mip : cubeMips(levels.front())) levels.push_back(std::move(mip));
+    const TextureFile texture = textureFromCubes(levels);
+    EXPECT_EQ(texture.levels, 5);
+    for (const char* extension : {".dds", ".ktx", ".ktx2"}) {
+        const auto bytes = encodeTexture(texture, extension, {.texels = TexelFormat::rgba32f});
+        const TextureFile back = decodeTexture(bytes, "back");
+        ASSERT_EQ(back.levels, 5) << extension;
+        const CubeMap cube = cubeFromTexture(back);
+        for (const CubeFace face : kCubeFaces)
+            for (std::size_t i = 0; i < 256; ++i)
+                EXPECT_EQ(cube.texels(face)[i], levels.front().texels(face)[i]) << extension;
+        for (int face = 0; face < 6; ++face)
+            EXPECT_EQ(back.image(4, face).at(0, 0),
+                      levels[4].texels(kCubeFaces[static_cast<std::size_t>(face)])[0]);
+    }
+}
+
+TEST(TextureChain, IsReadAsAnEnvironment) {
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / "tukor_texture_chain.ktx2";
+    const CubeMap cube = studioCube(16);
+    saveTexture(path, textureFromCubes(std::span(&cube, 1)), {.texels = TexelFormat::rgba32f});
+    const Environment environment = loadEnvironment(path.string());
+    EXPECT_EQ(environment.radiance.faceSize(), 16);
+    EXPECT_EQ(environment.radiance.texels(CubeFace::negZ)[40], cube.texels(CubeFace::negZ)[40]);
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace tukor
