@@ -251,6 +251,37 @@ def test_view_without_display(folder):
     assert result.stderr.startswith("tukor: no display") and "`tukor render` needs none" in result.stderr, result.stderr
 
 
+def test_environment_workshop(folder):
+    """Every layout and file type leads back to the same light."""
+    run("environment", "convert", "sky", "-o", "sky.exr", "--size", "256", folder=folder)
+    for out, more in [("face_{}.exr", []), ("cross.hdr", ["--layout", "vcross"]), ("cube.ktx2", ["--compression", "zstd"]),
+                      ("cube.dds", ["--texels", "float"]), ("oct.exr", ["--layout", "octahedral"])]:
+        run("environment", "convert", "sky.exr", "-o", out, "--size", "64", *more, folder=folder)
+        back = ["--in-layout", "octahedral"] if out == "oct.exr" else []
+        info = run("environment", "info", out, *back, folder=folder)[0]
+        mean = [float(word) for word in next(line for line in info.splitlines() if line.startswith("mean")).split()[1:]]
+        if out == "face_{}.exr":
+            expected = mean
+        assert all(abs(a - b) < 0.05 * b for a, b in zip(mean, expected)), (out, mean, expected)
+    run("environment", "filter", "sky.exr", "-o", "chain.ktx2", "--size", "32", "--levels", "3", "--sun", "sun.json",
+        folder=folder)
+    with open(os.path.join(folder, "sun.json"), encoding="utf-8") as file:
+        sun = json.load(file)
+    assert sun["direction"][1] > 0.5 and 0.2 < sun["angularRadiusDegrees"] < 1.5, sun
+    run("environment", "filter", "sky.exr", "-o", "light.json", "--kind", "sh", "--bands", "4", folder=folder)
+    with open(os.path.join(folder, "light.json"), encoding="utf-8") as file:
+        assert len(json.load(file)["coefficients"]) == 16
+    run("environment", "filter", "-o", "brdf.exr", "--kind", "brdf", "--size", "8", folder=folder)
+    run("environment", "info", "studio", "--thumbnail", "sheet.png", folder=folder)
+    fails("environment", "convert", "nowhere", "-o", "a.exr", says="built in are studio, sky", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a.exr", "--layout", "faces", says="need a pattern", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a.exr", "--size", "33", says="an even number", folder=folder)
+    fails("environment", "filter", "sky.exr", "-o", "a.exr", "--size", "4", "--levels", "9", says="at most 3", folder=folder)
+    fails("environment", "filter", "-o", "a.exr", says="IN is missing", folder=folder)
+    fails("environment", "filter", "sky.exr", "-o", "a.png", "--kind", "sh", says=".json or .h", folder=folder)
+    fails("environment", "convert", "studio", "-o", "a.exr", "--sun", "sun.json", says="no sun found", folder=folder)
+
+
 def test_options_page(folder):
     """docs/options.md is what the program writes."""
     page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "options.md")

@@ -12,6 +12,7 @@
 #include "tukor/app/options.h"
 #include "tukor/base/file.h"
 #include "tukor/environment/environment_work.h"
+#include "tukor/environment/texture_chain.h"
 #include "usage.h"
 
 namespace tukor {
@@ -42,7 +43,12 @@ struct TargetArguments {
     std::optional<PictureForm> layout;
     std::optional<int> size;
     Orientation to = Orientation::opengl;
+    TexelFormat texels = TexelFormat::rgba16f;
+    Supercompression compression = Supercompression::none;
 };
+
+constexpr std::array<std::pair<Supercompression, std::string_view>, 2> kCompressionSpellings = {
+    {{Supercompression::none, "none"}, {Supercompression::zstd, "zstd"}}};
 
 enum class FilterKind { ggx, charlie, irradiance, blur, sh, brdf };
 constexpr std::array<std::pair<FilterKind, std::string_view>, 6> kKindSpellings = {
@@ -90,6 +96,10 @@ void describe(Options& o, Visitor&& field) {
           "or 256 for a filtered face");
     field("to", o.to, Spellings<Orientation>(kOrientationSpellings),
           "the program that OUT is oriented for");
+    field("texels", o.texels, Spellings<TexelFormat>(kTexelFormatSpellings),
+          "of .dds, .ktx and .ktx2");
+    field("compression", o.compression, Spellings<Supercompression>(kCompressionSpellings),
+          "of .ktx2");
 }
 
 template <OptionsOf<FilterArguments> Options, class Visitor>
@@ -148,13 +158,18 @@ std::string levelPath(const std::string& out, std::size_t level) {
                        hole != std::string::npos ? "_" + out.substr(dot) : out.substr(dot));
 }
 
+/// The layout asked for, or what the name of the file suggests.
+PictureForm formOf(const TargetArguments& to, PictureForm otherwise) {
+    const bool faces = to.out.find("{}") != std::string::npos || hasTextureExtension(to.out);
+    return to.layout.value_or(faces ? PictureForm::faces : otherwise);
+}
+
 int convert(const SourceArguments& from, const TargetArguments& to, const DevelopOptions& develop) {
-    const PictureForm form = to.layout.value_or(
-        to.out.find("{}") != std::string::npos ? PictureForm::faces : PictureForm::equirect);
+    const PictureForm form = formOf(to, PictureForm::equirect);
     checkWorkTarget(to.out, form);
     WorkSource source = readSource(from);
     turn(source, -turnFrom(to.to));
-    saveWork(to.out, source, form, to.size, saveOptions(develop));
+    saveWork(to.out, source, form, to.size, saveOptions(develop), {to.texels, to.compression});
     return 0;
 }
 
@@ -183,17 +198,17 @@ int filter(const SourceArguments& from, const TargetArguments& to, const FilterA
         return 0;
     }
 
-    const PictureForm form = to.layout.value_or(
-        to.out.find("{}") != std::string::npos ? PictureForm::faces : PictureForm::hcross);
+    const PictureForm form = formOf(to, PictureForm::hcross);
     checkWorkTarget(to.out, form);
     WorkSource source = readSource(from);
     turn(source, -turnFrom(to.to));
     const Image& panorama = panoramaOf(source);
     const int size = to.size.value_or(256);
+    const TextureOptions texture{to.texels, to.compression};
     const auto write = [&](const std::string& path, CubeMap cube) {
         WorkSource result;
         result.cube = std::move(cube);
-        saveWork(path, result, form, std::nullopt, save);
+        saveWork(path, result, form, std::nullopt, save, texture);
     };
     if (arguments.kind == FilterKind::ggx || arguments.kind == FilterKind::charlie) {
         if (size >> (arguments.levels - 1) < 1)
@@ -205,6 +220,10 @@ int filter(const SourceArguments& from, const TargetArguments& to, const FilterA
              .levels = arguments.levels,
              .shape = arguments.kind == FilterKind::ggx ? LobeShape::ggx : LobeShape::charlie,
              .scale = arguments.scale});
+        if (hasTextureExtension(to.out)) {
+            saveLevels(to.out, chain.levels, texture);
+            return 0;
+        }
         for (std::size_t level = 0; level < chain.levels.size(); ++level)
             write(levelPath(to.out, level), std::move(chain.levels[level]));
         return 0;
@@ -235,7 +254,10 @@ void addIn(CLI::App& command, std::string& in) {
 }
 
 void addOut(CLI::App& command, std::string& out) {
-    command.add_option("-o,--output", out, ".exr .hdr .png .jpg; with {} for six files")
+    command
+        .add_option("-o,--output", out,
+                    ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube map "
+                    "and its levels")
         ->type_name("OUT")
         ->required();
 }
@@ -283,7 +305,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     addOptions(*command, "Development", all->develop);
     command->footer(
         "Examples\n"
-        "  tukor environment filter street.hdr -o chain.exr --size 256 --levels 5\n"
+        "  tukor environment filter street.hdr -o chain.ktx2 --size 256 --levels 5\n"
         "  tukor environment filter street.hdr -o light.h --kind sh --quantity irradiance\n"
         "  tukor environment filter -o brdf.exr --kind brdf --size 128");
     command->callback([&action, all] {
