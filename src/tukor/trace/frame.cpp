@@ -1,5 +1,6 @@
 #include "tukor/trace/frame.h"
 
+#include <algorithm>
 #include <array>
 
 namespace tukor::trace {
@@ -67,7 +68,10 @@ transport::TransportSettings transportSettings(const RenderOptions& options) noe
     settings.fresnel = static_cast<int>(options.fresnel);
     settings.rayBudget = std::max(options.rayBudget, 1);
     settings.maxDepth = std::max(options.maxDepth, 1);
-    settings.weightCutoff = options.weightCutoff;
+    // A look-up in place of a branch is wrong by what a sun makes of it: 1e-3 of 10^4 is a bright
+    // pixel. Where light branches are not split they cost little, and can be followed to the end.
+    settings.weightCutoff =
+        options.splitWeight > 0.0f ? std::min(options.weightCutoff, 1e-5f) : options.weightCutoff;
     settings.splitWeight = options.splitWeight;
     return settings;
 }
