@@ -279,7 +279,6 @@ def test_environment_workshop(folder):
     fails("environment", "filter", "sky.exr", "-o", "a.exr", "--size", "4", "--levels", "9", says="at most 3", folder=folder)
     fails("environment", "filter", "-o", "a.exr", says="IN is missing", folder=folder)
     fails("environment", "filter", "sky.exr", "-o", "a.png", "--kind", "sh", says=".json or .h", folder=folder)
-    fails("environment", "convert", "studio", "-o", "a.exr", "--sun", "sun.json", says="no sun found", folder=folder)
 
 
 def test_options_page(folder):

@@ -28,10 +28,15 @@ constexpr std::array<std::pair<PictureForm, std::string_view>, 8> kFormSpellings
      {PictureForm::octahedral, "octahedral"},
      {PictureForm::ball, "ball"}}};
 
+/// How what is read is laid out.
+struct LayoutArguments {
+    std::optional<PictureForm> inLayout;
+};
+
 /// What is read, and how it is turned.
 struct SourceArguments {
     std::string in;
-    std::optional<PictureForm> inLayout;
+    LayoutArguments layout;
     Orientation from = Orientation::opengl;
     float rotateDegrees = 0.0f;
     std::string sun;
@@ -72,10 +77,14 @@ struct FilterArguments {
     Quantity quantity = Quantity::radiance;
 };
 
-template <OptionsOf<SourceArguments> Options, class Visitor>
+template <OptionsOf<LayoutArguments> Options, class Visitor>
 void describe(Options& o, Visitor&& field) {
     field("in-layout", o.inLayout, Spellings<PictureForm>(kFormSpellings),
           "how IN is laid out; found by its shape, except octahedral and ball");
+}
+
+template <OptionsOf<SourceArguments> Options, class Visitor>
+void describe(Options& o, Visitor&& field) {
     field("from", o.from, Spellings<Orientation>(kOrientationSpellings),
           "the program that IN is oriented for: what it sees in the middle of a panorama");
     field("rotate", o.rotateDegrees, Measure<float>{"DEG", {-360.0f, 360.0f}},
@@ -130,7 +139,7 @@ SaveOptions saveOptions(const DevelopOptions& develop) {
 }
 
 WorkSource readSource(const SourceArguments& arguments) {
-    WorkSource source = loadWorkSource(arguments.in, arguments.inLayout);
+    WorkSource source = loadWorkSource(arguments.in, arguments.layout.inLayout);
     for (const std::string& warning : source.warnings)
         warn(fmt::format("{}: {}", arguments.in, warning));
     turn(source, turnFrom(arguments.from) +
@@ -240,7 +249,7 @@ int filter(const SourceArguments& from, const TargetArguments& to, const FilterA
 
 int info(const SourceArguments& from, const std::string& thumbnail) {
     if (!thumbnail.empty()) checkSavable(thumbnail);
-    const WorkSource source = loadWorkSource(from.in, from.inLayout);
+    const WorkSource source = loadWorkSource(from.in, from.layout.inLayout);
     fmt::print("{}", describeWork(source));
     if (!thumbnail.empty()) saveImage(thumbnail, contactSheet(source));
     return 0;
@@ -283,6 +292,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     addIn(*command, all->source.in);
     command->get_option("IN")->required();
     addOut(*command, all->target.out);
+    addOptions(*command, "Source", all->source.layout);
     addOptions(*command, "Source", all->source);
     addOptions(*command, "Target", all->target);
     addOptions(*command, "Development", all->develop);
@@ -300,6 +310,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     addIn(*command, all->source.in);
     addOut(*command, all->target.out);
     addOptions(*command, "Filter", all->filter);
+    addOptions(*command, "Source", all->source.layout);
     addOptions(*command, "Source", all->source);
     addOptions(*command, "Target", all->target);
     addOptions(*command, "Development", all->develop);
@@ -315,6 +326,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     command = environment->add_subcommand("info", "size, layout, range, sun and harmonics");
     addIn(*command, all->source.in);
     command->get_option("IN")->required();
+    addOptions(*command, "Source", all->source.layout);
     command
         ->add_option("--thumbnail", all->thumbnail,
                      "a contact sheet: three exposures and the six faces")
