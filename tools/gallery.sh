@@ -11,7 +11,7 @@ mkdir -p "$folder"
 render() {  # name, arguments of tukor render
     local name=$1; shift
     echo "  $folder/$name.png"
-    "$tukor" render "$@" --size 960x540 --quiet -o "$folder/$name.png"
+    "$tukor" render "$@" --size 960x540 --error 2 --samples 16 --quiet -o "$folder/$name.png"
 }
 
 echo "Rendering:"
