@@ -95,9 +95,10 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
     {
         File file(std::fopen(partial.c_str(), "wb"));
         if (!file) fail(errno);
-        if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size() ||
-            std::fflush(file.get()) != 0)
+        if (!bytes.empty() &&
+            std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size())
             fail(errno);
+        if (std::fflush(file.get()) != 0) fail(errno);
     }
     if (inPlace) return;
     fs::rename(partial, target, error);
