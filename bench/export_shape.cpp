@@ -1,8 +1,9 @@
 // Writes a built-in shape as a Wavefront OBJ, so that peers can render the same triangles.
 //
-// usage: export_shape NAME OUT.obj [X Y Z]     moved by X Y Z metres
+// usage: export_shape NAME OUT.obj [X Y Z]     moved by X Y Z metres; a part is named as the file
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iterator>
 #include <string>
 
@@ -14,12 +15,13 @@
 
 namespace {
 
-std::string objFromShape(const std::vector<tukor::ShapePart>& parts, glm::vec3 offset) {
+std::string objFromShape(const std::vector<tukor::ShapePart>& parts, glm::vec3 offset,
+                         const std::string& name) {
     std::string text;
     auto out = std::back_inserter(text);
     unsigned base = 1;
     for (const tukor::ShapePart& part : parts) {
-        fmt::format_to(out, "o {}\n", part.name);
+        fmt::format_to(out, "o {}\n", parts.size() == 1 ? name : part.name);
         for (glm::vec3 p : part.mesh.positions)
             fmt::format_to(out, "v {} {} {}\n", p.x + offset.x, p.y + offset.y, p.z + offset.z);
         for (glm::vec3 n : part.mesh.normals) fmt::format_to(out, "vn {} {} {}\n", n.x, n.y, n.z);
@@ -43,7 +45,8 @@ int main(int argc, char** argv) {
         if (!parts) throw tukor::Error(fmt::format("{}: no such shape", argv[1]));
         glm::vec3 offset(0.0f);
         for (int axis = 0; argc == 6 && axis < 3; ++axis) offset[axis] = std::stof(argv[3 + axis]);
-        tukor::writeFile(argv[2], objFromShape(*parts, offset));
+        const std::filesystem::path out = argv[2];
+        tukor::writeFile(out, objFromShape(*parts, offset, out.stem().string()));
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "export_shape: %s\n", error.what());

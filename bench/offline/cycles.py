@@ -36,7 +36,7 @@ for path, kind in job["models"]:
     for item in bpy.context.selected_objects:
         item.data.materials.clear()
         item.data.materials.append(smooth_material(kind))
-        item.data.use_auto_smooth = False
+        item.data.use_auto_smooth = False  # the file's normals are those that Blender computes
         for polygon in item.data.polygons:
             polygon.use_smooth = True
 

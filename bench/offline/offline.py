@@ -1,157 +1,131 @@
 #!/usr/bin/env python3
-"""CPU time at equal error: `tukor render --renderer trace` beside Cycles, one thread each, in one run. Writes docs/bench-offline.md and .svg.
+"""CPU time at equal error: trace beside Cycles, POV-Ray and bare Embree, one thread each, in one run.
 
-usage: bench/offline/offline.py [--quick] [--scenes all,knot,sphere,mesh] [--maps courtyard,city,sky4k]
+Writes docs/offline.md and docs/offline.svg. References and peers' pictures stay in build/offline; delete it to begin anew.
+
 after: cmake --preset release -DTUKOR_BENCH=ON && cmake --build --preset release
-needs: tools/install_packages.sh bench demo
-
-A picture's error is measured without a common reference, since two renderers never agree on a look-up's filter to the last
-digit: Cycles is unbiased, so two renders with different seeds differ by sqrt(2) times their noise. tukor's is the larger of
-the same figure and the distance to its own picture at 2048 samples, which also shows bias.
+needs: tools/install_packages.sh bench
 """
 import argparse
 import json
-import math
-import pathlib
-import re
-import resource
-import subprocess
-import sys
-import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-TUKOR = ROOT / "build/release/apps/tukor/tukor"
-EXPORT = ROOT / "build/release/bench/export_shape"
-PHOTOGRAPHS = pathlib.Path("/usr/share/blender/datafiles/studiolights/world")
-TINT, IOR, EYE, FOV, SIZE = (1.0, 0.77, 0.34), 1.5, (0.0, 0.0, 9.0), 40.0, (480, 270)
-MODELS = {"knot": ("torus-knot", -2.6, "gold"), "sphere": ("sphere", 0.0, "glass"), "mesh": ("torus-knot", 2.6, "glass")}
-SCENES = {"all": ["knot", "sphere", "mesh"], "knot": ["knot"], "sphere": ["sphere"], "mesh": ["mesh"]}
-MATERIALS = {"gold": "mirror:" + ",".join(map(str, TINT)), "glass": f"ior:{IOR}"}
+import scenes
+from curves import cpu_at, svg
+
+ERRORS, SAMPLES = (8, 4, 2, 1.4, 1, 0.7, 0.5), (1, 4, 16, 64)
 
 
-def cpu(command):
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    result = subprocess.run([str(word) for word in command], capture_output=True, text=True)
-    if result.returncode:
-        sys.exit(f"{command[0]} failed:\n{result.stdout[-2000:]}\n{result.stderr[-2000:]}")
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, result.stdout
+def cached(renderer, scene, map_name, quality, again):
+    """(CPU, picture) of a peer; its time is kept beside the picture."""
+    note = scenes.FOLDER / f"{renderer.__name__}-{scene}-{map_name}-{'-'.join(map(str, quality))}.json"
+    if note.exists() and not again:
+        cpu, picture = json.loads(note.read_text())
+    else:
+        cpu, picture = renderer(scene, map_name, *quality)
+        note.write_text(json.dumps([cpu, str(picture)]))
+    return cpu, picture
 
 
-def difference(a, b):
-    """(RMSE in 8-bit sRGB, relative RMSE, linear relative mean) between two pictures."""
-    text = subprocess.run([TUKOR, "compare", a, b], capture_output=True, text=True, check=True).stdout
-    return [float(re.search(rf"{head}RMSE ([-+.e\d]+)", text)[1]) for head in ("8-bit sRGB: ", "relative: +")]
+def measure(scene, map_name, args):
+    """Curves of all renderers on one scene, and the row of the table."""
+    references = scenes.reference(scene, map_name, args.reference)
+    peers = [("Cycles", cached(scenes.cycles, scene, map_name, q, args.peers_again)) for q in ((256, 1), (256, 2), (64, 1))]
+    if args.povray:
+        peers += [("POV-Ray", cached(scenes.povray, scene, map_name, (q,), args.peers_again)) for q in (2, 4)]
+    ours = [("tukor", scenes.tukor(scene, map_name, ["--error", e])) for e in ERRORS]
+    ours += [("tukor --samples", scenes.tukor(scene, map_name, ["--samples", n])) for n in SAMPLES]
+    noise, *errors, common = scenes.errors(references, [picture for _, (_, picture) in peers + ours])
+    curves = {}
+    for (name, (cpu, _)), error in zip(peers + ours, errors):
+        curves.setdefault(name, []).append((cpu, *error))
+    promised = [(e, float(scenes.header_text(picture, "expected-rmse") or "nan"), error[2])
+                for e, (_, (_, picture)), error in zip(ERRORS, ours, errors[len(peers):])]
+    return curves, noise, common, promised
 
 
-def tukor(folder, models, environment, samples, seed):
-    out = folder / f"tukor-{samples}-{seed}.exr"
-    command = [TUKOR, "render", "--quiet", "--renderer", "trace", "--threads", 1, "--environment", environment, "--seed", seed,
-               "--eye", ",".join(map(str, EYE)), "--target", "0,0,0", "--fov", FOV, "--size", "%dx%d" % SIZE, "--samples", samples, "-o", out]
-    for name, path, kind in models:
-        command += [path, "--material", f"{name}={MATERIALS[kind]}"]
-    return cpu(command)[0], out
+def figure(value, digits=3):
+    return "-" if value is None else f"{value:.{digits}g}"
 
 
-def cycles(folder, models, environment, samples, seed):
-    out = folder / f"cycles-{samples}-{seed}.exr"
-    job = {"models": [[str(path), kind] for _, path, kind in models], "tint": TINT, "ior": IOR, "environment": str(environment),
-           "eye": EYE, "fov": FOV, "size": SIZE, "samples": samples, "seed": seed, "out": str(out)}
-    _, text = cpu(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/cycles.py", "--", json.dumps(job)])
-    return float(re.search(r"CYCLES_CPU ([\d.]+)", text)[1]), out  # the render alone, without Blender's start
-
-
-def curve(renderer, counts, reference=None):
-    """[(samples, CPU s, RMSE in 8-bit sRGB, relative RMSE)], CPU the mean of two renders."""
-    rows = []
-    for samples in counts:
-        first, second = renderer(samples, 1), renderer(samples, 2)
-        errors = [value / math.sqrt(2) for value in difference(first[1], second[1])]
-        if reference:
-            errors = [max(pair) for pair in zip(errors, difference(first[1], reference))]
-        rows.append((samples, (first[0] + second[0]) / 2, *errors))
-    return rows
-
-
-def cpu_at(rows, error, column):
-    """CPU seconds at which a curve reaches an error, by a line in the logarithms through the two nearest points."""
-    pairs = sorted((row[column], row[1]) for row in rows if row[column] > 0)
-    if len(pairs) < 2:
-        return float("nan")
-    after = next((i for i, pair in enumerate(pairs) if pair[0] >= error), len(pairs) - 1)
-    (e0, c0), (e1, c1) = pairs[max(after - 1, 0)], pairs[max(after, 1)]
-    slope = (math.log(c1) - math.log(c0)) / (math.log(e1) - math.log(e0)) if e1 != e0 else 0.0
-    return c0 * math.exp(slope * (math.log(error) - math.log(e0)))
-
-
-def svg(curves):
-    """All curves, error over CPU time, logarithmic, one small panel each."""
-    width, height, parts = 300, 220, []
-    for index, (title, rows) in enumerate(curves.items()):
-        left, top = (index % 3) * width, (index // 3) * height
-        points = [row for name in rows for row in rows[name] if row[2] > 0]
-        xs, ys = [math.log(row[1]) for row in points], [math.log(row[2]) for row in points]
-
-        def place(row):
-            x = left + 40 + (width - 60) * (math.log(row[1]) - min(xs)) / max(max(xs) - min(xs), 1e-9)
-            y = top + height - 40 - (height - 70) * (math.log(row[2]) - min(ys)) / max(max(ys) - min(ys), 1e-9)
-            return f"{x:.1f},{y:.1f}"
-
-        parts.append(f'<text x="{left + 40}" y="{top + 20}">{title}</text>'
-                     f'<text x="{left + 40}" y="{top + height - 15}">{math.exp(min(xs)):.2g} .. {math.exp(max(xs)):.2g} CPU s</text>'
-                     f'<text x="{left + 40}" y="{top + height - 2}">RMSE {math.exp(min(ys)):.2g} .. {math.exp(max(ys)):.2g}</text>')
-        for name, colour in (("tukor", "#c80"), ("cycles", "#06c")):
-            parts.append(f'<polyline fill="none" stroke="{colour}" stroke-width="2" points="{" ".join(place(r) for r in rows[name] if r[2] > 0)}"/>')
-    rows = (len(curves) + 2) // 3
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {3 * width} {rows * height + 20}" font-family="sans-serif" font-size="11">'
-            f'<rect width="100%" height="100%" fill="#fff"/>{"".join(parts)}'
-            f'<text x="40" y="{rows * height + 14}" fill="#c80">tukor</text><text x="90" y="{rows * height + 14}" fill="#06c">Cycles</text></svg>\n')
+def row(scene, map_name, curves, noise, common):
+    cycles = [sum(column) / 2 for column in zip(*curves["Cycles"][:2])]  # two seeds at 256 samples
+    curves["Cycles"][:2] = [tuple(cycles)]
+    cells = [scene, map_name, figure(cycles[0]), figure(cycles[1]), figure(cycles[2]), figure(cycles[3])]
+    for column in (1, 2, 3):
+        best = [t for t in (cpu_at(curves[name], cycles[column], column) for name in ("tukor", "tukor --samples")) if t]
+        first = cpu_at(curves["tukor"], cycles[column], column)
+        cells.append("-" if not best else f"{figure(first, 2)} ({figure(cycles[0] / first if first else None, 2)}x)")
+    pov = cpu_at(curves.get("POV-Ray", [(1.0, 1e9, 1e9, 1e9)]), cycles[3], 3)
+    cells += [figure(pov), figure(noise[2]), figure(common[2])]
+    return "| " + " | ".join(cells) + " |"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scenes", default="all,knot,sphere,mesh")
-    parser.add_argument("--maps", default="courtyard,city,sky4k")
-    parser.add_argument("--quick", action="store_true", help="fewer points on the curves")
+    parser.add_argument("--scenes", default=",".join(scenes.SCENES))
+    parser.add_argument("--maps", default=",".join(scenes.MAPS))
+    parser.add_argument("--reference", type=int, default=128, help="least samples a pixel of each of the two pictures that make a reference")
+    parser.add_argument("--peers-again", action="store_true", help="render the peers' pictures again, not only tukor's")
+    parser.add_argument("--povray", action="store_true", help="measure POV-Ray, too; it takes long")
+    parser.add_argument("--no-write", action="store_true", help="print only")
     args = parser.parse_args()
-    counts = {"tukor": [4, 16, 64], "cycles": [256]} if args.quick else {"tukor": [2, 4, 8, 16, 32, 64, 128], "cycles": [16, 64, 256]}
-    curves, lines = {}, []
-    with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        for name, (shape, x, _) in MODELS.items():
-            subprocess.run([EXPORT, shape, folder / f"{name}.obj", str(x), "0", "0"], check=True)
+    scenes.prepare()
+    panels, rows, promises, limits = {}, [], [], []
+    for scene in args.scenes.split(","):
+        rays, building, casting = scenes.traversal(scene)
+        cpu, picture = scenes.tukor(scene, "forest", ["--samples", 16])
+        start = scenes.tukor(scene, "forest", ["--samples", 1], size=(16, 9), out=scenes.FOLDER / "start.exr")[0]
+        ours = int(scenes.header_text(picture, "rays"))
+        limits.append(f"| {scene} | {rays / casting / 1e6:.2f} | {ours / (cpu - start) / 1e6:.2f} | {ours / (cpu - start) / (rays / casting):.0%} | {start:.2f} | {building:.2f} |")
+        print(limits[-1], flush=True)
         for map_name in args.maps.split(","):
-            environment = PHOTOGRAPHS / f"{map_name}.exr"
-            if map_name == "sky4k":
-                environment = folder / "sky4k.exr"
-                subprocess.run([TUKOR, "environment", "convert", "sky", "-o", environment, "--layout", "equirect", "--size", "4096"], check=True)
-            for scene in args.scenes.split(","):
-                models = [(name, folder / f"{name}.obj", MODELS[name][2]) for name in SCENES[scene]]
-                title = f"{scene}, {map_name}"
-                print(title, flush=True)
-                reference = tukor(folder, models, environment, 2048, 99)[1]
-                rows = {
-                    "tukor": curve(lambda n, s: tukor(folder, models, environment, n, s), counts["tukor"], reference),
-                    "cycles": curve(lambda n, s: cycles(folder, models, environment, n, s), counts["cycles"]),
-                }
-                curves[title] = rows
-                peer = rows["cycles"][-1]
-                equal8, equal_relative = cpu_at(rows["tukor"], peer[2], 2), cpu_at(rows["tukor"], peer[3], 3)
-                lines.append(f"| {scene} | {map_name} | {peer[1]:.1f} | {peer[2]:.2f} | {equal8:.2f} | {peer[1] / equal8:.1f} | {peer[3]:.3g} | {peer[1] / equal_relative:.1f} |")
-                print(lines[-1], flush=True)
-                for name, points in rows.items():
-                    for point in points:
-                        print("   ", name, *(f"{value:.4g}" for value in point), flush=True)
-    text = "\n".join([
-        "# CPU time at equal error: trace beside Cycles", "",
-        "`bench/offline/offline.py`: 480x270, one thread each, Cycles of Blender 3.4 at 256 samples; CPU seconds, user and system. How errors are",
-        "measured is said in the script's first lines. tukor's time is the whole process, Cycles' the render without Blender's start.", "",
-        "| scene | environment | Cycles CPU s | its RMSE, 8-bit sRGB | tukor CPU s at that RMSE | times less | its relative RMSE | times less at that |",
-        "|---|---|---|---|---|---|---|---|", *lines, "", "![error over CPU time](bench-offline.svg)", ""])
-    for path, content in ((ROOT / "docs/bench-offline.md", text), (ROOT / "docs/bench-offline.svg", svg(curves))):
-        partial = path.with_suffix(".partial")
-        partial.write_text(content)
-        partial.rename(path)
+            curves, noise, common, promised = measure(scene, map_name, args)
+            rows.append(row(scene, map_name, curves, noise, common))
+            print(rows[-1], flush=True)
+            promises.append(f"| {scene} | {map_name} | " + " | ".join(f"{said:.2f} / {true:.2f}" for _, said, true in promised) + " |")
+            print(promises[-1], flush=True)
+            for name, points in curves.items():
+                for point in points:
+                    print("    ", name, *(f"{value:.4g}" for value in point), flush=True)
+            panels[f"{scene}, {map_name}"] = curves
+    text = TEXT.format(rows="\n".join(rows), promises="\n".join(promises), limits="\n".join(limits),
+                       asked=" | ".join(f"{e:g}" for e in ERRORS), bars="---|" * len(ERRORS), reference=args.reference)
+    if not args.no_write:
+        for name, content in (("offline.md", text), ("offline.svg", svg(panels))):
+            (scenes.ROOT / "docs" / name).write_text(content)
 
+
+TEXT = """# CPU time at equal error
+
+Written by `bench/offline/offline.py`. A torus knot of gold (70,000 triangles), a sphere of glass (84,500) and a torus knot of glass (70,000), together and each
+alone, 480x270, one thread each, under `forest` (a photograph), `city` (a photograph with the sun), both 1024x512 from blender-data, and `detailed`
+(generated, 4096x2048, detail down to single pixels and a sun of half a degree). CPU seconds are user and system: of the whole process for tukor
+and POV-Ray, of the render alone for Cycles (Debian's Blender 3.4). Gold is a tint of 1, 0.77, 0.34, which all renderers have.
+
+RMSE is that of radiance; relative MSE the mean of (a - b)^2 / (b^2 + 0.01); sRGB the RMSE in codes of 8-bit sRGB. The reference is the mean of two
+pictures of trace at {reference} samples a pixel or more; its noise is half their distance. *Common* is the root of the mean product of the errors of two renders
+of Cycles with different seeds: what Cycles' limit and the reference do not share, with the reference's noise in it.
+
+| scene | environment | Cycles at 256: CPU s | RMSE | relative MSE | sRGB | tukor: CPU s at that RMSE | at that relative MSE | at that sRGB | POV-Ray at that sRGB | noise, sRGB | common, sRGB |
+|---|---|---|---|---|---|---|---|---|---|---|---|
+{rows}
+
+![error over CPU time](offline.svg)
+
+## What `--error` promises
+Reported / true RMSE in 8-bit sRGB, the reference's noise not taken off.
+
+| scene | environment | {asked} |
+|---|---|{bars}
+{promises}
+
+## Throughput
+Million rays a second of CPU: Embree alone casting the rays of trace in its order and packets, and trace with 16 samples a pixel under `forest`, less the
+start (the same process with one sample of 16x9 pixels: loading, tree, environment).
+
+| scene | Embree alone | trace | share | start, CPU s | of it Embree's tree |
+|---|---|---|---|---|---|
+{limits}
+"""
 
 main()

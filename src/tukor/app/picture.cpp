@@ -45,12 +45,12 @@ std::string_view onlyForTrace(const QualityOptions& quality) {
     return {};
 }
 
-Renderer rendererFor(const SessionOptions& options) {
+}  // namespace
+
+Renderer rendererFor(const SessionOptions& options) noexcept {
     if (options.quality.renderer) return *options.quality.renderer;
     return TUKOR_TRACE ? Renderer::trace : Renderer::gl;
 }
-
-}  // namespace
 
 void requireWritablePicture(const std::filesystem::path& out, const SessionOptions& options) {
     namespace fs = std::filesystem;
@@ -115,6 +115,13 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
         {"command", commandLine("tukor render", session.options())},
         {"options", jsonFromOptions(session.options())},
     };
+    if (rendering.rays > 0) save.metadata.push_back({"rays", fmt::format("{}", rendering.rays)});
+    if (rendering.samplesPerPixel > 0.0) {
+        save.metadata.push_back({"samples", fmt::format("{:.3f}", rendering.samplesPerPixel)});
+    }
+    if (rendering.error) {
+        save.metadata.push_back({"expected-rmse", fmt::format("{:.4f}", *rendering.error)});
+    }
     if (rendering.layers.empty()) {
         saveImage(out, rendering.radiance, save);
         return;

@@ -1,0 +1,144 @@
+"""Scenes, environments and programs of offline.py: what is rendered, and how each renderer is told."""
+import json
+import math
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+BUILD = ROOT / "build/release"
+TUKOR = BUILD / "apps/tukor/tukor"
+FOLDER = ROOT / "build/offline"  # models, environments, pictures; references stay for the next run
+PHOTOGRAPHS = pathlib.Path("/usr/share/blender/datafiles/studiolights/world")
+TINT, IOR, EYE_Z, FOV, SIZE = (1.0, 0.77, 0.34), 1.5, 9.0, 25.0, (480, 270)
+MODELS = {"knot": ("torus-knot", -2.4, "gold"), "sphere": ("sphere", 0.0, "glass"), "mesh": ("torus-knot", 2.4, "glass")}
+SCENES = {"all": ["knot", "sphere", "mesh"], "knot": ["knot"], "sphere": ["sphere"], "mesh": ["mesh"]}
+MATERIALS = {"gold": "mirror:" + ",".join(map(str, TINT)), "glass": f"ior:{IOR}"}
+MAPS = {"forest": "a photograph", "city": "a photograph with the sun", "detailed": "generated, 4096x2048, small sun"}
+
+
+def run(command):
+    """(CPU seconds, user and system; standard output). Ends the program when the command fails."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    result = subprocess.run([str(word) for word in command], capture_output=True, text=True, cwd=FOLDER)
+    if result.returncode:
+        sys.exit(f"{command[0]} failed:\n{result.stdout[-2000:]}\n{result.stderr[-2000:]}")
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime, result.stdout
+
+
+def prepare():
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    new = [name for name in MODELS if not (FOLDER / f"{name}.obj").exists()]
+    for name in new:
+        shape, x, _ = MODELS[name]
+        run([BUILD / "bench/export_shape", shape, FOLDER / f"{name}.obj", x, 0, 0])
+    if new:
+        run(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/normals.py", "--", *(f"{name}.obj" for name in new)])
+    if not (FOLDER / "detailed.exr").exists():
+        run([BUILD / "bench/detailed_map", FOLDER / "detailed.exr"])
+
+
+def environment(name):
+    own = FOLDER / f"{name}.exr"
+    return own if own.exists() else PHOTOGRAPHS / f"{name}.exr"
+
+
+def header_text(path, key):
+    """A string attribute of an OpenEXR header."""
+    data = path.read_bytes()[:65536]
+    at = data.find(key.encode() + b"\0string\0")
+    if at < 0:
+        return ""
+    at += len(key) + 8
+    return data[at + 4:at + 4 + int.from_bytes(data[at:at + 4], "little")].decode()
+
+
+def models_for_tukor(scene):
+    words = []
+    for name in SCENES[scene]:
+        words += [f"{name}.obj", "--material", f"{name}={MATERIALS[MODELS[name][2]]}"]
+    return words
+
+
+def tukor(scene, map_name, quality, seed=0, out=None, threads=1, size=SIZE):
+    """`quality`: words such as --samples 16. (CPU seconds of the whole process, picture)"""
+    out = out or FOLDER / f"tukor-{scene}-{map_name}{''.join(map(str, quality))}-{seed}.exr"
+    cpu, _ = run([TUKOR, "render", "--quiet", "--renderer", "trace", "--threads", threads, "--environment", environment(map_name),
+                  "--eye", f"0,0,{EYE_Z}", "--target", "0,0,0", "--fov", FOV, "--size", "%dx%d" % size, "--seed", seed, *quality,
+                  "-o", out, *models_for_tukor(scene)])
+    return cpu, out
+
+
+def reference(scene, map_name, samples):
+    """Two pictures of at least that many samples a pixel, with seeds of their own; made once."""
+    pictures = []
+    there = [int(path.name.split("-")[3]) for path in FOLDER.glob(f"reference-{scene}-{map_name}-*-1002.exr")]
+    samples = max([samples, *there])
+    for seed in (1001, 1002):
+        out = FOLDER / f"reference-{scene}-{map_name}-{samples}-{seed}.exr"
+        if not out.exists():
+            partial = out.with_suffix(".partial.exr")
+            tukor(scene, map_name, ["--samples", samples], seed, partial)
+            partial.rename(out)
+        pictures.append(out)
+    return pictures
+
+
+def cycles(scene, map_name, samples, seed=1):
+    """(CPU seconds of the render alone, without Blender's start and import, picture)"""
+    out = FOLDER / f"cycles-{scene}-{map_name}-{samples}-{seed}.exr"
+    job = {"models": [[str(FOLDER / f"{name}.obj"), MODELS[name][2]] for name in SCENES[scene]], "tint": TINT, "ior": IOR,
+           "environment": str(environment(map_name)), "eye": (0.0, 0.0, EYE_Z), "fov": FOV, "size": SIZE, "samples": samples,
+           "seed": seed, "out": str(out)}
+    _, text = run(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/cycles.py", "--", json.dumps(job)])
+    return float(re.search(r"CYCLES_CPU ([\d.]+)", text)[1]), out
+
+
+def pov_mesh(name):
+    """The OBJ as a mesh2 include file, read once per scene by POV-Ray."""
+    out = FOLDER / f"{name}.inc"
+    if not out.exists():
+        rows = {"v": [], "vn": [], "f": []}
+        for line in (FOLDER / f"{name}.obj").read_text().splitlines():
+            head, *rest = line.split()
+            if head in rows:
+                rows[head].append("<" + ",".join(str(int(r.split("/")[0]) - 1) if head == "f" else r for r in rest) + ">")
+        out.write_text("mesh2 {\n" + "\n".join(
+            f"{key} {{ {len(rows[head])}, {', '.join(rows[head])} }}"
+            for key, head in (("vertex_vectors", "v"), ("normal_vectors", "vn"), ("face_indices", "f"))))
+    return out
+
+
+def povray(scene, map_name, across):
+    """`across` x `across` samples a pixel. (CPU seconds of the whole process, picture)"""
+    out = FOLDER / f"povray-{scene}-{map_name}-{across}.exr"
+    surface = {"gold": "pigment { rgb <%g,%g,%g> } finish { ambient 0 diffuse 0 reflection { 1 metallic } }" % TINT,
+               "glass": "pigment { rgbt 1 } finish { ambient 0 diffuse 0 reflection { 0, 1 fresnel on } conserve_energy }"}
+    wide = 2 * math.degrees(math.atan(math.tan(math.radians(FOV) / 2) * SIZE[0] / SIZE[1]))
+    text = ["#version 3.7; global_settings { assumed_gamma 1 max_trace_level 32 adc_bailout 1/512 }",
+            f"camera {{ location <0,0,{EYE_Z}> right -x*{SIZE[0]}/{SIZE[1]} angle {wide} look_at 0 }}",
+            f'sky_sphere {{ pigment {{ image_map {{ exr "{environment(map_name)}" gamma 1 map_type 1 interpolate 2 }} rotate y*180 }} }}']
+    for name in SCENES[scene]:
+        kind = MODELS[name][2]
+        text.append(f'#include "{pov_mesh(name)}"\ntexture {{ {surface[kind]} }} interior {{ ior {IOR} }} }}')
+    source = FOLDER / f"{scene}-{map_name}.pov"
+    source.write_text("\n".join(text) + "\n")
+    cpu, _ = run(["povray", f"+I{source}", f"+O{out}", "+FE", "-D", "+WT1", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "File_Gamma=1", "+AM1",
+                  "+A0.00001", f"+R{across}", "-J"])
+    return cpu, out
+
+
+def errors(references, pictures):
+    """[(RMSE, relative MSE, RMSE in 8-bit sRGB)]: the references' own noise, then of each picture, then what two have in common."""
+    _, text = run([BUILD / "bench/picture_error", *references, *pictures])
+    return [tuple(map(float, line.split())) for line in text.splitlines()]
+
+
+def traversal(scene):
+    """(rays, CPU seconds of building, of casting) of Embree alone at 4 samples a pixel; the best of three."""
+    words = [BUILD / "bench/traversal", "%dx%d" % SIZE, 4, EYE_Z, FOV, *models_for_tukor(scene)]
+    runs = [tuple(map(float, run(words)[1].split())) for _ in range(3)]
+    return min(runs, key=lambda r: r[2])
