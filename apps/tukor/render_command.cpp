@@ -30,7 +30,9 @@ int render(const RenderArguments& arguments) {
         return 0;
     }
     requireWritablePicture(arguments.out, arguments.session);  // before any time is spent
-    const Session session(arguments.session);
+    const Session session(arguments.session, rendererFor(arguments.session) == Renderer::trace
+                                                 ? LookUps::panorama
+                                                 : LookUps::cube);
     if (!arguments.quiet) {
         for (const std::string& warning : session.warnings()) warn(warning);
     }

@@ -10,6 +10,9 @@
 
 namespace tukor {
 
+/// The one that pictures come from: trace, unless the options or the build say otherwise.
+[[nodiscard]] Renderer rendererFor(const SessionOptions& options) noexcept;
+
 /// Throws Error unless `out` has the extension of a picture format that holds what the options ask
 /// for, and lies in a folder that can be written to: asked before the work, not after it.
 void requireWritablePicture(const std::filesystem::path& out, const SessionOptions& options);

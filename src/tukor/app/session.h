@@ -13,10 +13,14 @@
 
 namespace tukor {
 
+/// Where the renderer looks up light: in the cube map whatever it was made of, or in the panorama
+/// where there is one, as trace does; the cube beside it is then a coarse one.
+enum class LookUps { cube, panorama };
+
 class Session {
 public:
     /// Loads all that the options name. Throws Error.
-    explicit Session(const SessionOptions& options);
+    explicit Session(const SessionOptions& options, LookUps lookUps = LookUps::cube);
 
     /// Takes other options and loads what they change. Throws Error, and then nothing has changed.
     void apply(const SessionOptions& options);
@@ -41,6 +45,7 @@ public:
     }
 
 private:
+    LookUps lookUps_;
     SessionOptions options_;
     Scene scene_;
     std::vector<Material> ownMaterials_;  // the parts' materials before --material

@@ -21,6 +21,10 @@ struct EnvironmentOptions {
     /// left of it, in 8-bit sRGB at 640 x 360 and a field of view of 40 degrees, over photographs
     /// of width 1024: faces of 512 differ by 0.6 to 3.2, 1024 by 0.2 to 1.0, 2048 by 0.1 to 0.5.
     std::optional<int> faceSize;
+
+    /// The same for panoramas where `faceSize` says nothing: who looks up in the panorama itself
+    /// needs no fine cube beside it.
+    std::optional<int> faceSizeBesidePanorama = std::nullopt;
 };
 
 inline constexpr Range<int> kFaceSizeRange{1, 8192};

@@ -46,7 +46,7 @@ float quickAtan2(float y, float x) {
 }
 
 /// Half the size, each pixel the mean over its solid angle; odd last rows and columns are left out.
-std::vector<glm::vec3> halved(const std::vector<glm::vec3>& pixels, int width, int height) {
+std::vector<glm::vec3> halved(std::span<const glm::vec3> pixels, int width, int height) {
     const int w = width / 2, h = height / 2;
     std::vector<glm::vec3> half(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
     parallelFor(0, h, 32, [&](int begin, int end) {
@@ -88,31 +88,40 @@ EnvironmentMap::EnvironmentMap(const Image& panorama, float rotation, float inte
     int width = panorama.width(), height = panorama.height();
     // At the horizon a pixel spans 2 pi / width, a cube's texel on average sqrt(4 pi / 6) / size.
     equivalentFaceSize_ = std::max(1, static_cast<int>(0.2303f * static_cast<float>(width)));
-    std::vector<glm::vec3> pixels(panorama.pixels().begin(), panorama.pixels().end());
-    for (glm::vec3& pixel : pixels) pixel *= intensity;
-    addPanoramaLevel(pixels, width, height);
+    addPanoramaLevel(panorama.pixels(), width, height, intensity);
+    std::vector<glm::vec3> pixels;
     while (levels_.size() < kLevels && width >= 8 && height >= 4) {
-        pixels = halved(pixels, width, height);
+        pixels = halved(pixels.empty() ? panorama.pixels() : std::span<const glm::vec3>(pixels),
+                        width, height);
         width /= 2;
         height /= 2;
-        addPanoramaLevel(pixels, width, height);
+        addPanoramaLevel(pixels, width, height, intensity);
     }
 }
 
-void EnvironmentMap::addPanoramaLevel(std::vector<glm::vec3>& pixels, int width, int height) {
-    const std::size_t first = texels_.size();
+EnvironmentMap::Texel* EnvironmentMap::addLevel(int width, int height, int panels) {
+    const std::size_t count = static_cast<std::size_t>(panels) *
+                              (static_cast<std::size_t>(width) + 2) *
+                              (static_cast<std::size_t>(height) + 2);
+    levels_.push_back({width, height, std::make_unique_for_overwrite<Texel[]>(count)});
+    return levels_.back().texels.get();
+}
+
+void EnvironmentMap::addPanoramaLevel(std::span<const glm::vec3> pixels, int width, int height,
+                                      float intensity) {
     const std::size_t stride = static_cast<std::size_t>(width) + 2;
-    levels_.push_back({width, height, first});
-    texels_.resize(first + stride * (static_cast<std::size_t>(height) + 2));
+    Texel* const texels = addLevel(width, height, 1);
     parallelFor(-1, height + 1, 64, [&](int begin, int end) {
         for (int row = begin; row < end; ++row) {
             // Over a pole lies the same row, half way round.
             const int real = std::clamp(row, 0, height - 1);
             const int turn = row == real ? 0 : width / 2;
-            Texel* out = &texels_[first + static_cast<std::size_t>(row + 1) * stride];
+            Texel* out = texels + static_cast<std::size_t>(row + 1) * stride;
+            const glm::vec3* line = &pixels[static_cast<std::size_t>(real) * width];
+            int c = (width - 1 + turn) % width;
             for (int column = -1; column <= width; ++column, ++out) {
-                const int c = (column + turn + width) % width;
-                *out = texelOf(pixels[static_cast<std::size_t>(real) * width + c]);
+                *out = texelOf(intensity * line[c]);
+                if (++c == width) c = 0;
             }
         }
     });
@@ -121,9 +130,7 @@ void EnvironmentMap::addPanoramaLevel(std::vector<glm::vec3>& pixels, int width,
 void EnvironmentMap::addCubeLevel(const CubeMap& cube, float intensity) {
     const int size = cube.faceSize();
     const auto stride = static_cast<std::size_t>(size) + 2;
-    const std::size_t first = texels_.size();
-    levels_.push_back({size, size, first});
-    texels_.resize(first + 6 * stride * stride);
+    Texel* const texels = addLevel(size, size, 6);
     const auto at = [&](CubeTexel t) {
         return intensity * cube.texels(t.face)[static_cast<std::size_t>(t.row) * size +
                                                static_cast<std::size_t>(t.column)];
@@ -133,11 +140,14 @@ void EnvironmentMap::addCubeLevel(const CubeMap& cube, float intensity) {
             const CubeFace face = kCubeFaces[static_cast<std::size_t>(line / (size + 2))];
             const int row = line % (size + 2) - 1;
             const int r = std::clamp(row, 0, size - 1);
-            Texel* out = &texels_[first + static_cast<std::size_t>(line) * stride];
+            Texel* out = texels + static_cast<std::size_t>(line) * stride;
             for (int column = -1; column <= size; ++column, ++out) {
                 const int c = std::clamp(column, 0, size - 1);
                 if (r == row && c == column) {
-                    *out = texelOf(at({face, column, row}));
+                    const glm::vec3* inner = &cube.texels(face)[static_cast<std::size_t>(r) * size];
+                    for (; column < size; ++column) *out++ = texelOf(intensity * inner[column]);
+                    --column;
+                    --out;
                 } else if (r == row || c == column) {
                     *out = texelOf(at(texelAcrossEdge({face, column, row}, size)));
                 } else {
@@ -176,7 +186,7 @@ EnvironmentMap::Texel EnvironmentMap::bilinear(const Level& level,
     const auto stride = static_cast<std::size_t>(level.width) + 2;
     const std::size_t line =
         place.panel * (static_cast<std::size_t>(level.height) + 2) + static_cast<std::size_t>(row);
-    const Texel* above = &texels_[level.first + line * stride + static_cast<std::size_t>(column)];
+    const Texel* above = level.texels.get() + line * stride + static_cast<std::size_t>(column);
     const Texel* below = above + stride;
     const float w00 = (1.0f - right) * (1.0f - down), w10 = right * (1.0f - down);
     const float w01 = (1.0f - right) * down, w11 = right * down;

@@ -1,6 +1,8 @@
 // An environment made quick to look up: a mip chain of bordered panels, four floats a texel.
 #pragma once
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "tukor/environment/cube_map.h"
@@ -36,7 +38,7 @@ private:
     struct Level {
         int width;
         int height;
-        std::size_t first;  // of the panels' texels, (width + 2) * (height + 2) each
+        std::unique_ptr<Texel[]> texels;  // [panel][row][column], (width + 2) * (height + 2) each
     };
     struct Place {
         std::size_t panel;
@@ -45,8 +47,11 @@ private:
     };
 
     EnvironmentMap(Form form, float rotation);
+    /// Its texels, to be written, of so many panels.
+    Texel* addLevel(int width, int height, int panels);
     void addCubeLevel(const CubeMap& cube, float intensity);
-    void addPanoramaLevel(std::vector<glm::vec3>& pixels, int width, int height);
+    void addPanoramaLevel(std::span<const glm::vec3> pixels, int width, int height,
+                          float intensity);
     [[nodiscard]] glm::vec3 turned(glm::vec3 direction) const noexcept;
     [[nodiscard]] glm::vec3 look(glm::vec3 turnedDirection, float level) const noexcept;
     [[nodiscard]] Place placeOf(glm::vec3 direction) const noexcept;
@@ -57,7 +62,6 @@ private:
     float sinRotation_;
     int equivalentFaceSize_ = 1;  // of a cube with as many texels to the degree
     std::vector<Level> levels_;
-    std::vector<Texel> texels_;  // [level][panel][row][column]
 };
 
 }  // namespace tukor::trace
