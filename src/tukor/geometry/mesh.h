@@ -1,5 +1,6 @@
 // Triangle meshes with a normal at every corner: the one surface format every renderer consumes.
 #pragma once
+#include <array>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -14,6 +15,11 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::uvec3> triangles;
+
+    // For textured surfaces; each is empty or has one per position.
+    std::array<std::vector<glm::vec2>, 2> uvs{};
+    std::vector<glm::vec4> tangents{};  // unit; w: 1 or -1, the bitangent is w cross(n, tangent)
+    std::vector<glm::vec4> colors{};    // linear, with alpha: factors on the base colour
 };
 
 /// An axis-aligned box; empty when `least` exceeds `most`.

@@ -49,7 +49,7 @@ bool isJpeg(std::span<const std::byte> bytes) noexcept {
            bytes[2] == std::byte{0xff};
 }
 
-Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
+EncodedPixels decodeJpegPixels(std::span<const std::byte> bytes, std::string_view name) {
     const Codec codec(tjInitDecompress());
     if (!codec) throw Error(fmt::format("{}: out of memory", name));
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -76,14 +76,24 @@ Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
             fmt::format("{}: cut off: the JPEG file ends after {} bytes, without its end "
                         "marker",
                         name, bytes.size()));
-    std::vector<std::uint8_t> samples(3 * columns * rows);
+    EncodedPixels pixels;
+    pixels.width = width;
+    pixels.height = height;
+    pixels.bytes.resize(3 * columns * rows);
     // More scans than any camera writes take for ever; a warning means that pixels are made up.
-    if (tjDecompress2(codec.get(), data, bytes.size(), samples.data(), width, 0, height, TJPF_RGB,
-                      TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS | TJFLAG_STOPONWARNING) != 0)
+    if (tjDecompress2(codec.get(), data, bytes.size(), pixels.bytes.data(), width, 0, height,
+                      TJPF_RGB, TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS | TJFLAG_STOPONWARNING) != 0)
         fail();
-    Image image(width, height);
+    return pixels;
+}
+
+Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name) {
+    const EncodedPixels pixels = decodeJpegPixels(bytes, name);
+    const std::vector<std::uint8_t>& samples = pixels.bytes;
+    Image image(pixels.width, pixels.height);
     const auto& linear = linearFromSrgb8();
-    parallelFor(0, height, 64, [&](int begin, int end) {
+    const auto columns = static_cast<std::size_t>(pixels.width);
+    parallelFor(0, pixels.height, 64, [&](int begin, int end) {
         for (auto i = static_cast<std::size_t>(begin) * columns;
              i < static_cast<std::size_t>(end) * columns; ++i)
             image.pixels()[i] = glm::vec3(linear[samples[3 * i]], linear[samples[3 * i + 1]],

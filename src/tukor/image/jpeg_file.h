@@ -17,6 +17,10 @@ namespace tukor {
 /// Linear, the samples taken for sRGB. Grey and YCbCr; CMYK is refused. Throws Error.
 [[nodiscard]] Image decodeJpeg(std::span<const std::byte> bytes, std::string_view name);
 
+/// Its samples as they are, three channels: for textures, whose numbers need not be colours.
+[[nodiscard]] EncodedPixels decodeJpegPixels(std::span<const std::byte> bytes,
+                                             std::string_view name);
+
 /// `pixels` have three channels of one byte; `quality` is in [1, 100]. Full chroma resolution from
 /// 90 on. `metadata` becomes comments.
 [[nodiscard]] std::vector<std::byte> encodeJpeg(

@@ -18,6 +18,10 @@ namespace tukor {
 /// for sRGB. Alpha multiplies the colour, as radiance wants it. Throws Error.
 [[nodiscard]] Image decodePng(std::span<const std::byte> bytes, std::string_view name);
 
+/// Its samples as they are, 8 bits of them: for textures, whose numbers need not be colours.
+[[nodiscard]] EncodedPixels decodePngPixels(std::span<const std::byte> bytes,
+                                            std::string_view name);
+
 /// An sRGB PNG; `metadata` becomes UTF-8 text chunks.
 [[nodiscard]] std::vector<std::byte> encodePng(
     const EncodedPixels& pixels, std::span<const std::pair<std::string, std::string>> metadata);

@@ -91,6 +91,45 @@ Image linearImage(const std::vector<Sample>& samples, int width, int height, int
     return image;
 }
 
+/// A PNG whose sizes and chunks have been checked.
+struct CheckedPng {
+    std::unique_ptr<spng_ctx, FreeContext> context;
+    spng_ihdr header{};
+    bool alpha = false;
+};
+
+void require(int result, std::string_view name) {
+    if (result != 0)
+        throw Error(fmt::format("{}: damaged PNG file: {}", name, spng_strerror(result)));
+}
+
+CheckedPng checkedPng(std::span<const std::byte> bytes, std::string_view name) {
+    CheckedPng png;
+    png.context.reset(spng_ctx_new(0));
+    if (!png.context) throw Error(fmt::format("{}: out of memory", name));
+    require(spng_set_chunk_limits(png.context.get(), kLargestChunk, kLargestChunk), name);
+    require(spng_set_png_buffer(png.context.get(), bytes.data(), bytes.size()), name);
+    require(spng_get_ihdr(png.context.get(), &png.header), name);
+    checkImageSize(name, png.header.width, png.header.height);
+    checkImageFits(name, png.header.width, png.header.height, bytes.size(), kMostPixelsPerByte);
+    checkChunks(bytes, name);
+    spng_trns transparency{};
+    png.alpha = png.header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
+                png.header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
+                spng_get_trns(png.context.get(), &transparency) == 0;
+    return png;
+}
+
+template <class Sample>
+std::vector<Sample> samplesOf(const CheckedPng& png, int format, std::string_view name) {
+    std::size_t size = 0;
+    require(spng_decoded_image_size(png.context.get(), format, &size), name);
+    std::vector<Sample> samples(size / sizeof(Sample));
+    require(spng_decode_image(png.context.get(), samples.data(), size, format, SPNG_DECODE_TRNS),
+            name);
+    return samples;
+}
+
 }  // namespace
 
 bool isPng(std::span<const std::byte> bytes) noexcept {
@@ -99,41 +138,31 @@ bool isPng(std::span<const std::byte> bytes) noexcept {
 }
 
 Image decodePng(std::span<const std::byte> bytes, std::string_view name) {
-    const auto require = [&](int result) {
-        if (result != 0)
-            throw Error(fmt::format("{}: damaged PNG file: {}", name, spng_strerror(result)));
-    };
-    const std::unique_ptr<spng_ctx, FreeContext> context(spng_ctx_new(0));
-    if (!context) throw Error(fmt::format("{}: out of memory", name));
-    require(spng_set_chunk_limits(context.get(), kLargestChunk, kLargestChunk));
-    require(spng_set_png_buffer(context.get(), bytes.data(), bytes.size()));
-    spng_ihdr header{};
-    require(spng_get_ihdr(context.get(), &header));
-    checkImageSize(name, header.width, header.height);
-    checkImageFits(name, header.width, header.height, bytes.size(), kMostPixelsPerByte);
-    checkChunks(bytes, name);
-
-    spng_trns transparency{};
-    const bool alpha = header.color_type == SPNG_COLOR_TYPE_GRAYSCALE_ALPHA ||
-                       header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA ||
-                       spng_get_trns(context.get(), &transparency) == 0;
-    const bool wide = header.bit_depth == 16;
-    const int format = wide ? SPNG_FMT_RGBA16 : alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
-    const std::optional<double> gamma = decodingGamma(context.get());
-    std::size_t size = 0;
-    require(spng_decoded_image_size(context.get(), format, &size));
-    const int width = static_cast<int>(header.width);
-    const int height = static_cast<int>(header.height);
-    if (wide) {
-        std::vector<std::uint16_t> samples(size / 2);
-        require(spng_decode_image(context.get(), samples.data(), size, format, SPNG_DECODE_TRNS));
-        Image image = linearImage(samples, width, height, 4, gamma);
-        if (!alpha) image.alpha.clear();
+    const CheckedPng png = checkedPng(bytes, name);
+    const std::optional<double> gamma = decodingGamma(png.context.get());
+    const int width = static_cast<int>(png.header.width);
+    const int height = static_cast<int>(png.header.height);
+    if (png.header.bit_depth == 16) {
+        Image image = linearImage(samplesOf<std::uint16_t>(png, SPNG_FMT_RGBA16, name), width,
+                                  height, 4, gamma);
+        if (!png.alpha) image.alpha.clear();
         return image;
     }
-    std::vector<std::uint8_t> samples(size);
-    require(spng_decode_image(context.get(), samples.data(), size, format, SPNG_DECODE_TRNS));
-    return linearImage(samples, width, height, alpha ? 4 : 3, gamma);
+    const int format = png.alpha ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8;
+    return linearImage(samplesOf<std::uint8_t>(png, format, name), width, height, png.alpha ? 4 : 3,
+                       gamma);
+}
+
+EncodedPixels decodePngPixels(std::span<const std::byte> bytes, std::string_view name) {
+    const CheckedPng png = checkedPng(bytes, name);
+    EncodedPixels pixels;
+    pixels.width = static_cast<int>(png.header.width);
+    pixels.height = static_cast<int>(png.header.height);
+    // Of 16-bit files spng gives the four channels alone.
+    pixels.channels = png.alpha || png.header.bit_depth == 16 ? 4 : 3;
+    pixels.bytes =
+        samplesOf<std::uint8_t>(png, pixels.channels == 4 ? SPNG_FMT_RGBA8 : SPNG_FMT_RGB8, name);
+    return pixels;
 }
 
 }  // namespace tukor

@@ -1,5 +1,7 @@
 // What a surface is made of: three kinds of ideal smooth matter, as plain data.
 #pragma once
+#include <memory>
+
 #include <glm/glm.hpp>
 
 namespace tukor {
@@ -11,6 +13,8 @@ enum class MaterialKind {
     dielectric,  // index eta.x, absorption sigmaA inside
 };
 
+struct Finish;  // tukor/scene/finish.h
+
 struct Material {
     MaterialKind kind = MaterialKind::mirror;
     glm::vec3 tint{1.0f};    // reflectance of a mirror, in [0, 1]
@@ -18,6 +22,10 @@ struct Material {
     glm::vec3 k{0.0f};       // extinction for R, G, B, >= 0; metals only
     glm::vec3 sigmaA{0.0f};  // absorption inside a dielectric, 1/m, >= 0
     int priority = 0;  // where dielectrics overlap, the highest priority is the one that is there
+
+    /// Rough, diffuse or textured surfaces; null: ideally smooth. Then the rest is what is nearest
+    /// among those, and for solids that let light in, what is inside.
+    std::shared_ptr<const Finish> finish = nullptr;
 
     friend bool operator==(const Material&, const Material&) = default;
 };

@@ -16,14 +16,14 @@ constexpr std::string_view kByEye = "index [Anderson 1990]; colour by eye, for o
 constexpr std::string_view kRgb = "650, 550, 450";
 constexpr std::string_view kSodium = "589.3";
 
-constexpr Material mirror(float tint) {
+Material mirror(float tint) {
     Material m;
     m.kind = MaterialKind::mirror;
     m.tint = glm::vec3(tint);
     return m;
 }
 
-constexpr Material metal(glm::vec3 eta, glm::vec3 k) {
+Material metal(glm::vec3 eta, glm::vec3 k) {
     Material m;
     m.kind = MaterialKind::metal;
     m.eta = eta;
@@ -31,8 +31,7 @@ constexpr Material metal(glm::vec3 eta, glm::vec3 k) {
     return m;
 }
 
-constexpr Material solid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f),
-                         int priority = kSolidPriority) {
+Material solid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f), int priority = kSolidPriority) {
     Material m;
     m.kind = MaterialKind::dielectric;
     m.eta = glm::vec3(eta);
@@ -41,11 +40,11 @@ constexpr Material solid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f),
     return m;
 }
 
-constexpr Material liquid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f)) {
+Material liquid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f)) {
     return solid(eta, sigmaA, kLiquidPriority);
 }
 
-constexpr std::array kTable = {
+const std::array kTable = {
     NamedMaterial{"mirror", "an ideal mirror", mirror(1.0f), "", "by definition"},
     NamedMaterial{"gold", "gold", metal({0.21f, 0.485f, 1.29f}, {3.13f, 2.23f, 1.76f}), "",
                   kLecture},
@@ -115,7 +114,7 @@ constexpr std::array kTable = {
                   "index [Rubin 1985]; colour by eye, for objects 2 m across"},
 };
 
-constexpr auto kNames = [] {
+const auto kNames = [] {
     std::array<std::string_view, kTable.size()> names{};
     for (std::size_t i = 0; i < kTable.size(); ++i) names[i] = kTable[i].name;
     return names;

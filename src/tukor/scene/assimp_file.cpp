@@ -197,7 +197,7 @@ private:
             const Surface surface = surfaceOf(*source_.mMaterials[source.mMaterialIndex]);
             if (!surface.name.empty() && surface.name != AI_DEFAULT_MATERIAL_NAME) {
                 part.materialName = surface.name;
-                part.material = materialOf(surface, notes_);
+                part.material = materialOf(surface);
             }
         }
         scene_.parts.push_back(std::move(part));

@@ -7,6 +7,7 @@
 
 #include "tukor/base/parallel.h"
 #include "tukor/scene/interner.h"
+#include "tukor/scene/mesh_details.h"
 
 namespace tukor {
 
@@ -167,14 +168,18 @@ Mesh withCreaseNormals(const Mesh& mesh, float creaseAngle) {
     std::vector<unsigned> welded(mesh.positions.size());
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         welded[i] = places.add(mesh.positions[i]);
-    std::vector<glm::uvec3> triangles;
+    std::vector<glm::uvec3> triangles, originals;
     triangles.reserve(mesh.triangles.size());
+    const bool detailed = hasDetails(mesh);
     for (const glm::uvec3 t : mesh.triangles) {
         const glm::uvec3 merged(welded[t.x], welded[t.y], welded[t.z]);
-        if (merged.x != merged.y && merged.y != merged.z && merged.z != merged.x)
-            triangles.push_back(merged);
+        if (merged.x == merged.y || merged.y == merged.z || merged.z == merged.x) continue;
+        triangles.push_back(merged);
+        if (detailed) originals.push_back(t);
     }
-    return creaseNormalsOfWelded(std::move(places).take(), std::move(triangles), creaseAngle);
+    Mesh result =
+        creaseNormalsOfWelded(std::move(places).take(), std::move(triangles), creaseAngle);
+    return detailed ? withDetailsOf(mesh, originals, std::move(result)) : result;
 }
 
 }  // namespace tukor

@@ -69,7 +69,9 @@ Mesh finishedMesh(Mesh mesh, float creaseAngle, std::string_view name, std::stri
         notes.add("normals without a direction, computed anew", part);
         mesh.normals.clear();
     }
-    if (mesh.normals.empty()) return withCreaseNormals(mesh, creaseAngle);
+    const bool bare = mesh.normals.empty();
+    if (bare) mesh.tangents.clear();  // they belong to normals
+    if (bare) return withCreaseNormals(mesh, creaseAngle);
     if (mostlyAgainstNormals(mesh)) {
         notes.add("triangles wound against their normals, turned round", part);
         for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);

@@ -1,6 +1,7 @@
 #include "tukor/scene/gltf_accessor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -169,8 +170,10 @@ void GltfAccessor::requireIndices() const {
         item_.fail("not indices: expected unsigned SCALARs");
 }
 
-void GltfAccessor::requireVec3() const {
-    if (components_ != 3) item_.fail("expected type VEC3");
+void GltfAccessor::requireComponents(int least, int most) const {
+    if (components_ < least || components_ > most)
+        item_.fail(least == most ? fmt::format("expected type VEC{}", least)
+                                 : fmt::format("expected type VEC{} or VEC{}", least, most));
 }
 
 std::uint32_t GltfAccessor::index(std::size_t element) const noexcept {
@@ -185,6 +188,17 @@ glm::vec3 GltfAccessor::vec3(std::size_t element) const noexcept {
         return {load<float>(from, 0), load<float>(from, 1), load<float>(from, 2)};
     return {component(from, 0, type_, normalized_), component(from, 1, type_, normalized_),
             component(from, 2, type_, normalized_)};
+}
+
+glm::vec4 GltfAccessor::vec4(std::size_t element) const noexcept {
+    TUKOR_ASSERT(element < count_ && components_ <= 4);
+    const std::byte* const from = find(element);
+    glm::vec4 v(0.0f, 0.0f, 0.0f, 1.0f);
+    for (int i = 0; i < components_; ++i) {
+        v[i] = component(from, i, type_, normalized_);
+        if (!std::isfinite(v[i])) v[i] = 0.0f;
+    }
+    return v;
 }
 
 }  // namespace tukor

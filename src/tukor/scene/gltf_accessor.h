@@ -23,11 +23,16 @@ public:
     /// Throws Error unless elements are unsigned scalars, as indices are.
     void requireIndices() const;
     /// Throws Error unless elements have three components.
-    void requireVec3() const;
+    void requireVec3() const { requireComponents(3, 3); }
+    /// Throws Error unless elements have so many components.
+    void requireComponents(int least, int most) const;
 
     [[nodiscard]] std::uint32_t index(std::size_t element) const noexcept;
     /// Normalised integers become [-1, 1] or [0, 1].
     [[nodiscard]] glm::vec3 vec3(std::size_t element) const noexcept;
+    /// The same of two to four components; 0 for the second and third that are not there, 1 for the
+    /// fourth. NaN and infinities become 0.
+    [[nodiscard]] glm::vec4 vec4(std::size_t element) const noexcept;
 
 private:
     [[nodiscard]] const std::byte* find(std::size_t element) const noexcept;

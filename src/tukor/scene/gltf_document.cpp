@@ -132,21 +132,27 @@ std::span<const std::byte> GltfDocument::readBuffer(const JsonItem& buffer, std:
         if (index > 0 || chunk_.empty()) buffer.fail("no uri, and no binary chunk to take it from");
         return chunk_;
     }
-    const std::string_view text = uri->text();
+    loaded_.push_back(contents(*uri));
+    return loaded_.back().bytes();
+}
+
+GltfBytes GltfDocument::contents(const JsonItem& uri) const {
+    const std::string_view text = uri.text();
+    GltfBytes contents;
     if (text.starts_with("data:")) {
         const std::size_t comma = text.find(',');
         if (comma == std::string_view::npos || !text.substr(0, comma).ends_with(";base64"))
-            uri->fail("a data URI that is not base64");
-        decoded_.push_back(base64Decoded(text.substr(comma + 1), *uri));
-        return decoded_.back();
+            uri.fail("a data URI that is not base64");
+        contents.decoded = base64Decoded(text.substr(comma + 1), uri);
+        return contents;
     }
     const std::filesystem::path file = siblingPath(path_, text);
     try {
-        mapped_.emplace_back(file);
+        contents.file.emplace(file);
     } catch (const Error& error) {
         throw Error(fmt::format("{}: needs {}", name_, error.what()));
     }
-    return mapped_.back().bytes();
+    return contents;
 }
 
 std::size_t GltfDocument::largestBuffer() const noexcept {

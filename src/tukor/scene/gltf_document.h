@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,16 @@ namespace tukor {
 struct GltfView {
     std::span<const std::byte> bytes;
     std::size_t stride = 0;
+};
+
+/// What a URI refers to: decoded from itself, or a file.
+struct GltfBytes {
+    std::vector<std::byte> decoded;
+    std::optional<MappedFile> file;
+
+    [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
+        return file ? file->bytes() : std::span<const std::byte>(decoded);
+    }
 };
 
 /// A parsed glTF file with all of its buffers at hand. Other files are only read below its folder.
@@ -37,6 +48,8 @@ public:
     /// The same for an index given by a member of `user` that must be there.
     [[nodiscard]] JsonItem referred(const char* array, const JsonItem& user,
                                     const char* member) const;
+    /// The contents of a data URI or of a file below the model's folder. Throws Error.
+    [[nodiscard]] GltfBytes contents(const JsonItem& uri) const;
     /// A buffer view inside its buffer.
     [[nodiscard]] GltfView view(std::size_t index, const JsonItem& user) const;
 
@@ -53,8 +66,7 @@ private:
     nlohmann::json json_;
     std::span<const std::byte> chunk_;  // the binary one of a GLB
     std::vector<std::span<const std::byte>> buffers_;
-    std::vector<std::vector<std::byte>> decoded_;          // those from data URIs
-    std::vector<MappedFile> mapped_;                       // those from files
+    std::vector<GltfBytes> loaded_;                        // those from URIs
     std::map<std::size_t, std::vector<std::byte>> views_;  // those that were compressed
 };
 

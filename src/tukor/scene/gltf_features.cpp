@@ -14,14 +14,26 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kRead[] = {
-    "KHR_mesh_quantization"sv, "KHR_materials_ior"sv,       "KHR_materials_transmission"sv,
-    "KHR_materials_volume"sv,  "EXT_meshopt_compression"sv, "KHR_draco_mesh_compression"sv,
+    "KHR_mesh_quantization"sv,
+    "EXT_meshopt_compression"sv,
+    "KHR_draco_mesh_compression"sv,
+    "KHR_texture_transform"sv,
+    "KHR_materials_anisotropy"sv,
+    "KHR_materials_clearcoat"sv,
+    "KHR_materials_emissive_strength"sv,
+    "KHR_materials_ior"sv,
+    "KHR_materials_iridescence"sv,
+    "KHR_materials_sheen"sv,
+    "KHR_materials_specular"sv,
+    "KHR_materials_transmission"sv,
+    "KHR_materials_unlit"sv,
+    "KHR_materials_volume"sv,
 };
 
-// Without effect on the picture while textures are not rendered, or none at all.
+// Without effect on the picture, or with a texture in another format beside.
 constexpr std::string_view kHarmless[] = {
-    "KHR_texture_transform"sv, "KHR_texture_basisu"sv, "EXT_texture_webp"sv, "EXT_texture_avif"sv,
-    "MSFT_texture_dds"sv,      "KHR_xmp_json_ld"sv,    "KHR_xmp"sv,
+    "KHR_texture_basisu"sv, "EXT_texture_webp"sv, "EXT_texture_avif"sv,
+    "MSFT_texture_dds"sv,   "KHR_xmp_json_ld"sv,  "KHR_xmp"sv,
 };
 
 bool contains(std::span<const std::string_view> names, std::string_view name) {

@@ -70,6 +70,7 @@ Mesh placedMesh(Mesh mesh, const GltfPlaced& placed) {
         const double length = glm::length(turned);  // tiny for millimetres: no floats yet
         n = length > 0.0 ? glm::vec3(turned / length) : glm::vec3(0.0f);
     }
+    for (glm::vec4& t : mesh.tangents) t = glm::vec4(linear * glm::dvec3(t), mirrored ? -t.w : t.w);
     if (mirrored)
         for (glm::uvec3& t : mesh.triangles) std::swap(t.y, t.z);
     return mesh;
@@ -78,13 +79,14 @@ Mesh placedMesh(Mesh mesh, const GltfPlaced& placed) {
 class Reader {
 public:
     Reader(const GltfDocument& document, const ModelOptions& options)
-        : document_(document), options_(options) {}
+        : document_(document), options_(options), textures_(document, notes_) {}
 
     Scene read() {
         noteFeatures(document_.root(), notes_);
         const GltfPlacements placements = placementsOf(document_, notes_);
         checkTotal(document_, placements.meshes);
         for (const GltfPlaced& placed : placements.meshes) addMesh(placed);
+        textures_.decode();
         if (scene_.parts.empty())
             throw Error(
                 fmt::format("{}: nothing to render: no triangles in its scene", document_.name()));
@@ -94,10 +96,11 @@ public:
     }
 
 private:
-    struct Finish {
+    struct Look {
         std::string name;
         Material material;
     };
+    enum class Tint { none, colors };  // of the vertices
 
     void addMesh(const GltfPlaced& placed) {
         const JsonItem mesh = document_.item("meshes", placed.index, document_.root());
@@ -110,27 +113,29 @@ private:
                 notes_.add("scaled to nothing, left out", placed.name);
                 continue;
             }
-            const Finish& finish = finishOf(primitive);
-            scene_.parts.push_back(
-                {placed.name, finish.name, finish.material, std::move(triangles)});
+            const Look& look =
+                lookOf(primitive, triangles.colors.empty() ? Tint::none : Tint::colors);
+            scene_.parts.push_back({placed.name, look.name, look.material, std::move(triangles)});
         }
     }
 
-    const Finish& finishOf(const JsonItem& primitive) {
+    const Look& lookOf(const JsonItem& primitive, Tint tint) {
         const std::optional<JsonItem> index = primitive.find("material");
-        const std::size_t key = index ? index->count() : kNone;
-        auto known = finishes_.find(key);
-        if (known == finishes_.end()) {
-            Finish finish;
+        const std::pair key(index ? index->count() : kNone, tint);
+        auto known = looks_.find(key);
+        if (known == looks_.end()) {
+            Look look;
             if (index) {
-                const JsonItem material = document_.item("materials", key, *index);
-                const Surface surface =
-                    readGltfMaterial(material, fmt::format("material {}", key), notes_);
-                finish = {surface.name, materialOf(surface, notes_)};
+                const JsonItem material = document_.item("materials", key.first, *index);
+                const Surface surface = readGltfMaterial(
+                    material, fmt::format("material {}", key.first), textures_, notes_);
+                look = {surface.name, materialOf(surface)};
+                if (tint == Tint::colors && !look.material.finish)
+                    look.material.finish = std::make_shared<Finish>(surface);
             } else {
-                finish = {"", parseMaterial(options_.material)};
+                look = {"", parseMaterial(options_.material)};
             }
-            known = finishes_.emplace(key, std::move(finish)).first;
+            known = looks_.emplace(key, std::move(look)).first;
         }
         return known->second;
     }
@@ -166,8 +171,9 @@ private:
     const GltfDocument& document_;
     const ModelOptions& options_;
     Notes notes_;
+    GltfTextures textures_;
     Scene scene_;
-    std::map<std::size_t, Finish> finishes_;  // by material; kNone: none given
+    std::map<std::pair<std::size_t, Tint>, Look> looks_;  // by material; kNone: none given
 };
 
 }  // namespace

@@ -88,10 +88,27 @@ Mesh readDraco(const GltfDocument& document, const JsonItem& primitive, const Js
                         announced(document, primitive, "indices") / 3);
 }
 
-void noteRest(const JsonItem& primitive, const JsonItem& attributes, std::string_view part,
-              Notes& notes) {
+void noteRest(const JsonItem& primitive, std::string_view part, Notes& notes) {
     if (!primitive.list("targets").empty()) notes.add("morph targets are not rendered", part);
-    if (attributes.find("COLOR_0")) notes.add("vertex colours are not rendered", part);
+}
+
+// What textured surfaces need beside, of the vertices in use.
+void readDetails(const GltfDocument& document, const JsonItem& attributes, std::size_t vertices,
+                 const std::vector<unsigned>& used, Mesh& mesh) {
+    const auto read = [&](const char* name, int least, int most, auto& values, auto&& convert) {
+        const std::optional<GltfAccessor> accessor = accessorAt(document, attributes, name);
+        if (!accessor) return;
+        accessor->requireComponents(least, most);
+        if (accessor->count() != vertices)
+            attributes.fail(
+                fmt::format("{} values of {} for {} positions", accessor->count(), name, vertices));
+        values.resize(used.size());
+        for (std::size_t i = 0; i < used.size(); ++i) values[i] = convert(accessor->vec4(used[i]));
+    };
+    read("TEXCOORD_0", 2, 2, mesh.uvs[0], [](glm::vec4 v) { return glm::vec2(v); });
+    read("TEXCOORD_1", 2, 2, mesh.uvs[1], [](glm::vec4 v) { return glm::vec2(v); });
+    read("TANGENT", 4, 4, mesh.tangents, [](glm::vec4 v) { return v; });
+    read("COLOR_0", 3, 4, mesh.colors, [](glm::vec4 v) { return glm::clamp(v, 0.0f, 1.0f); });
 }
 
 }  // namespace
@@ -114,7 +131,7 @@ Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive, std:
         return mesh;
     }
     if (const std::optional<JsonItem> draco = dracoOf(primitive)) {
-        noteRest(primitive, attributes, part, notes);
+        noteRest(primitive, part, notes);
         return readDraco(document, primitive, *draco);
     }
     const std::optional<GltfAccessor> positions = accessorAt(document, attributes, "POSITION");
@@ -151,7 +168,8 @@ Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive, std:
         mesh.normals.resize(used.size());
         for (std::size_t i = 0; i < used.size(); ++i) mesh.normals[i] = normals->vec3(used[i]);
     }
-    noteRest(primitive, attributes, part, notes);
+    readDetails(document, attributes, positions->count(), used, mesh);
+    noteRest(primitive, part, notes);
     return mesh;
 }
 

@@ -55,6 +55,7 @@ Surface surfaceOf(const std::string& name, const Entry& entry, Notes& notes) {
                        entry.model == 7 || entry.model == 9;
     if (clear && surface.metallic < 0.5f) {
         surface.transmission = 1.0f;
+        surface.metallic = 0.0f;
         surface.roughness = entry.roughness.value_or(0.0f);
         surface.baseColor = glm::vec3(1.0f);
         surface.ior = entry.ior > 1.0f ? entry.ior : 1.5f;  // 1: the exporter did not know

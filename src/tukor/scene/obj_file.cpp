@@ -171,7 +171,7 @@ private:
         if (mesh.triangles.empty()) return;
         const auto surface = surfaces_.find(piece.material);
         const Material material = surface == surfaces_.end() ? parseMaterial(options_.material)
-                                                             : materialOf(surface->second, notes_);
+                                                             : materialOf(surface->second);
         scene.parts.push_back({piece.name, piece.material, material, std::move(mesh)});
     }
 

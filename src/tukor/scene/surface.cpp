@@ -16,34 +16,38 @@ glm::vec3 absorption(glm::vec3 colour, float distance) noexcept {
     return glm::max(-glm::log(clamped) / std::max(distance, 1e-9f), glm::vec3(0.0f));
 }
 
-}  // namespace
-
-Material materialOf(const Surface& surface, Notes& notes) {
+Material nearestIdeal(const Surface& surface) {
     const glm::vec3 colour = glm::clamp(surface.baseColor, glm::vec3(0.0f), glm::vec3(1.0f));
-    if (surface.roughness > 0.05f)  // below, the highlight is narrower than most texels of a map
-        notes.add("roughness is not rendered; these look polished", surface.name);
-    if (surface.metallic >= 0.5f) {
-        if (surface.metallic < 1.0f)
-            notes.add("partly metallic materials are rendered as metals", surface.name);
-        return metalFromReflectance(colour);
-    }
-    if (surface.metallic > 0.0f)
-        notes.add("partly metallic materials are rendered as not metallic", surface.name);
-    if (surface.transmission >= 0.5f) {
-        if (surface.transmission < 1.0f)
-            notes.add("partly transmissive materials are rendered as clear", surface.name);
-        if (colour != glm::vec3(1.0f))
-            notes.add(
-                "the tint of transmitted light at the surface is not rendered; give the "
-                "volume an attenuation colour",
-                surface.name);
+    if (surface.metallic >= 0.5f) return metalFromReflectance(colour);
+    if (surface.transmission > 0.0f && surface.solid)
         return dielectricMaterial(
             std::clamp(surface.ior, 1.0f, 10.0f),
             absorption(surface.attenuationColor, surface.attenuationDistance));
-    }
-    notes.add("diffuse surfaces are not rendered; these look like mirrors of their base colour",
-              surface.name);
     return mirrorMaterial(colour);
+}
+
+}  // namespace
+
+bool isIdeal(const Surface& surface) noexcept {
+    // Below, the highlight is narrower than most texels of an environment.
+    constexpr float kPolished = 0.05f;
+    const bool plain = surface.roughness <= kPolished && surface.alphaMode == AlphaMode::opaque &&
+                       surface.emission == glm::vec3(0.0f) && !surface.unlit &&
+                       surface.clearcoat == 0.0f && surface.sheenColor == glm::vec3(0.0f) &&
+                       surface.iridescence == 0.0f && surface.specular == 1.0f &&
+                       surface.specularColor == glm::vec3(1.0f) &&
+                       std::none_of(surface.maps.begin(), surface.maps.end(),
+                                    [](const TextureMap& map) { return map.texels != nullptr; });
+    const bool metal = surface.metallic == 1.0f;
+    const bool glass = surface.metallic == 0.0f && surface.transmission == 1.0f && surface.solid &&
+                       surface.baseColor == glm::vec3(1.0f);
+    return plain && (metal || glass);
+}
+
+Material materialOf(const Surface& surface) {
+    Material material = nearestIdeal(surface);
+    if (!isIdeal(surface)) material.finish = std::make_shared<Finish>(surface);
+    return material;
 }
 
 }  // namespace tukor

@@ -5,25 +5,24 @@
 #include <glm/glm.hpp>
 
 #include "tukor/materials/material.h"
+#include "tukor/scene/finish.h"
 #include "tukor/scene/notes.h"
 
 namespace tukor {
 
-/// Metallic-roughness with transmission and volume; other formats are translated into it.
-struct Surface {
+/// A finish with what lies behind it; other formats are translated into it.
+struct Surface : Finish {
     std::string name;
-    glm::vec3 baseColor{1.0f};  // linear Rec. 709
-    float metallic = 1.0f;
-    float roughness = 1.0f;
-    float transmission = 0.0f;
-    float ior = 1.5f;
     glm::vec3 attenuationColor{1.0f};  // left of white light after attenuationDistance
     float attenuationDistance = 0.0f;  // m; 0: nothing is absorbed
 };
 
-/// At least half metallic: a metal whose reflectance at normal incidence is the base colour. At
-/// least half transmissive: a dielectric with that absorption. Else a mirror of the base colour,
-/// until diffuse surfaces are rendered. Notes what is lost.
-[[nodiscard]] Material materialOf(const Surface& surface, Notes& notes);
+/// Whether it is one of the ideal smooth surfaces of Material, to which no finish adds anything:
+/// polished metal, or clear glass with an inside.
+[[nodiscard]] bool isIdeal(const Surface& surface) noexcept;
+
+/// An ideal surface: a metal whose reflectance at normal incidence is the base colour, or a
+/// dielectric with that absorption. Else the nearest of these, with the finish.
+[[nodiscard]] Material materialOf(const Surface& surface);
 
 }  // namespace tukor
