@@ -27,6 +27,8 @@ struct RayGenerator {
     glm::vec3 perRow;
 };
 
+class RoughEvent;
+
 struct Frame {
     const SurfaceTable& surfaces;
     const RayCaster& caster;
@@ -38,6 +40,7 @@ struct Frame {
     int width;
     int height;
     std::uint32_t seed;
+    const RoughEvent* rough = nullptr;  // null: all surfaces are ideally smooth
 };
 
 /// The media that contain a point, by the surfaces that rays from there cross on their way out.

@@ -110,8 +110,10 @@ void Passes::tile(int number) {
         for (std::uint32_t s = job.from; s < job.to; ++s) {
             const glm::vec2 place = pixelSample(seed, s);
             batch.push_back({static_cast<float>(job.x) + place.x,
-                             static_cast<float>(job.y) + place.y, static_cast<int>(i),
-                             mixedBits(seed + s * 0x9e3779b9u)});
+                             static_cast<float>(job.y) + place.y,
+                             static_cast<int>(i),
+                             mixedBits(seed + s * 0x9e3779b9u),
+                             {seed, s}});
             if (batch.size() == kBatch) flush();
         }
         samples += job.to - job.from;

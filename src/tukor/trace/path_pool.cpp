@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <utility>
 
+#include "tukor/trace/rough_event.h"
 #include "tukor/trace/rounding.h"
 
 namespace tukor::trace {
@@ -93,6 +95,7 @@ void PathPool::meet(Path& path, RayHit hit) noexcept {
             if (hit.surface >= 0) look();
         }
     }
+    if (frame_.rough && meetRough(path, hit, surface, met)) return;
     if (hit.surface < 0) {
         collect(path, transport::escape(path.tree));
     } else {
@@ -101,8 +104,23 @@ void PathPool::meet(Path& path, RayHit hit) noexcept {
     }
 }
 
+bool PathPool::meetRough(Path& path, const RayHit& hit, const transport::SurfaceHit& surface,
+                         const transport::Encounter& met) const noexcept {
+    if (frame_.rough->concerns(hit)) {
+        path.radiance +=
+            frame_.rough->meet(path.tree, hit, surface, met, path.sampler, path.roughPdf);
+        return true;
+    }
+    const float pdf = std::exchange(path.roughPdf, 0.0f);
+    if (hit.surface >= 0 || pdf <= 0.0f) return false;
+    path.radiance += frame_.rough->escape(path.tree.branch, pdf);
+    (void)transport::escape(path.tree);
+    return true;
+}
+
 bool PathPool::wantsRay(Path& path) noexcept {
     while (path.tree.alive && transport::spent(path.tree, frame_.settings)) {
+        path.roughPdf = 0.0f;
         collect(path, transport::cutBranch(path.tree));
     }
     return path.tree.alive;
@@ -136,6 +154,8 @@ void PathPool::trace(std::span<const CameraSample> samples, float footprintScale
             path.radiance = glm::vec3(0.0f);
             path.target = sample.target;
             path.tree.rays = 1;
+            path.roughPdf = 0.0f;
+            path.sampler = sample.sampler;
             meet(path, first.hit);
             if (wantsRay(path)) {
                 ++alive;

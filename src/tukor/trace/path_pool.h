@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tukor/trace/frame.h"
+#include "tukor/trace/sampler.h"
 
 namespace tukor::trace {
 
@@ -14,6 +15,7 @@ struct CameraSample {
     float y;     // pixels from the top edge
     int target;  // index of the sum it counts in
     std::uint32_t seed;
+    PathSampler sampler{};
 };
 
 struct PixelSum {
@@ -52,6 +54,8 @@ private:
         transport::Tree tree;
         glm::vec3 radiance;
         int target;
+        PathSampler sampler;
+        float roughPdf;  // of the branch's direction where RoughEvent chose it, else 0
     };
     struct FirstHit {
         RayHit hit;
@@ -64,6 +68,10 @@ private:
                                                  float footprintScale) const noexcept;
     void meet(Path& path, RayHit hit) noexcept;
     void collect(Path& path, const transport::Deposits& deposits) const noexcept;
+    /// Where a surface is not smooth, or the light of one was sampled; false: it is another's work.
+    [[nodiscard]] bool meetRough(Path& path, const RayHit& hit,
+                                 const transport::SurfaceHit& surface,
+                                 const transport::Encounter& met) const noexcept;
     /// Runs events that need no ray; false when the path has ended.
     [[nodiscard]] bool wantsRay(Path& path) noexcept;
     void finish(const Path& path, std::span<PixelSum> sums) noexcept;

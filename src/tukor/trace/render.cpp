@@ -1,12 +1,14 @@
 #include "tukor/trace/render.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
 #include "tukor/trace/layers.h"
 #include "tukor/trace/passes.h"
+#include "tukor/trace/rough_event.h"
 
 namespace tukor::trace {
 
@@ -40,6 +42,13 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camer
                       const RenderOptions& options, const Progress& progress) {
     const SurfaceTable surfaces(scene);
     const RayCaster caster(surfaces);
+    const bool finished = std::any_of(scene.parts.begin(), scene.parts.end(), [](const Part& part) {
+        return part.material.finish != nullptr;
+    });
+    std::optional<RoughEvent> rough;
+    if (finished)
+        rough.emplace(scene, surfaces, caster, map,
+                      static_cast<float>(options.samples.value_or(32)));
     const Frame frame{
         .surfaces = surfaces,
         .caster = caster,
@@ -51,6 +60,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camer
         .width = options.width,
         .height = options.height,
         .seed = options.seed,
+        .rough = rough ? &*rough : nullptr,
     };
     Passes passes(frame, goalsOf(options), progress);
     passes.run();

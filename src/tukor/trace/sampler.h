@@ -52,4 +52,18 @@ namespace tukor::trace {
     return {static_cast<float>(x >> 8) * kScale, static_cast<float>(y >> 8) * kScale};
 }
 
+/// Points for the events of a path: for each, the sample's place in another shuffled and scrambled
+/// sequence, so that the samples of a pixel cover what each of their events chooses from. [Burley
+/// 2020]
+struct PathSampler {
+    std::uint32_t pixelSeed = 0;
+    std::uint32_t index = 0;  // of the sample in its pixel
+    std::uint32_t next = 0;   // sequence
+
+    [[nodiscard]] glm::vec2 point() noexcept {
+        const std::uint32_t seed = mixedBits(pixelSeed + 0x9e3779b9u * ++next);
+        return pixelSample(seed, owenScrambled(index, mixedBits(seed)));
+    }
+};
+
 }  // namespace tukor::trace

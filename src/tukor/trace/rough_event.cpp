@@ -1,0 +1,156 @@
+#include "tukor/trace/rough_event.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tukor::trace {
+
+namespace {
+
+constexpr float kWidestSpread = 0.5f;  // radians, as far as differentials mean anything
+constexpr int kSurestDepth = 3;        // events after which paths may end by chance
+constexpr int kMostSheets = 32;        // that a shadow ray passes
+
+/// The power heuristic. [Veach 1997, sec. 9.2.4]
+float shareOf(float pdf, float other) noexcept {
+    const float a = pdf * pdf, b = other * other;
+    return a / std::max(a + b, 1e-30f);
+}
+
+/// As wide as a sample is far from its neighbours.
+transport::Footprint spreadFootprint(glm::vec3 direction, float spread) noexcept {
+    transport::Footprint f = transport::thinFootprint();
+    const glm::vec3 axis = std::abs(direction.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 x = glm::normalize(glm::cross(axis, direction));
+    f.directionX = spread * x;
+    f.directionY = spread * glm::cross(direction, x);
+    return f;
+}
+
+}  // namespace
+
+RoughEvent::RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const RayCaster& caster,
+                       const EnvironmentMap& environment, float expectedSamples)
+    : surfaces_(surfaces),
+      caster_(caster),
+      environment_(environment),
+      finishes_(scene),
+      expectedSamples_(expectedSamples) {
+    if (!finishes_.empty()) lights_ = std::make_unique<LightSampler>(environment);
+}
+
+glm::vec3 RoughEvent::visible(glm::vec3 origin, glm::vec3 direction, int skip) const noexcept {
+    float left = 1.0f;
+    for (int i = 0; i < kMostSheets; ++i) {
+        const RayHit hit = caster_.cast(origin, direction, skip);
+        if (hit.surface < 0) return glm::vec3(left);
+        if (!concerns(hit)) break;
+        const transport::SurfaceHit surface = surfaces_.at(hit);
+        left *= finishes_.clearness(hit, surface);
+        if (!(left > 0.0f)) break;
+        origin = surface.position;
+        skip = surface.triangle;
+    }
+    return glm::vec3(0.0f);
+}
+
+glm::vec3 RoughEvent::direct(const Layered& layers, const transport::Branch& at,
+                             glm::vec2 u) const noexcept {
+    if (at.media != 0u) return glm::vec3(0.0f);  // the way out of a solid is never straight
+    const LightDirection light = lights_->sample(u);
+    if (!(light.pdf > 0.0f)) return glm::vec3(0.0f);
+    const LobeValue lobes = layers.eval(light.direction);
+    if (!(transport::heaviness(lobes.value) > 0.0f)) return glm::vec3(0.0f);
+    const glm::vec3 seen = visible(at.origin, light.direction, at.skip);
+    if (!(transport::heaviness(seen) > 0.0f)) return glm::vec3(0.0f);
+    return lobes.value * seen * environment_.radiance(light.direction, 0.0f) *
+           (shareOf(light.pdf, lobes.pdf) / light.pdf);
+}
+
+glm::vec3 RoughEvent::escape(const transport::Branch& branch, float pdf) const noexcept {
+    const float share = branch.media != 0u ? 1.0f : shareOf(pdf, lights_->pdf(branch.direction));
+    return branch.throughput * environment_.radiance(branch.direction, 0.0f) * share;
+}
+
+glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
+                           const transport::SurfaceHit& surface, const transport::Encounter& met,
+                           PathSampler& sampler, float& pdf) const noexcept {
+    transport::Branch at = tree.branch;
+    const glm::vec3 d = at.direction;
+    const transport::Medium& from = surfaces_.medium(met.from);
+    const transport::Medium& to = surfaces_.medium(met.to);
+    const Finish& finish = *finishes_.finishOf(hit.surface);
+    at.throughput *= optics::transmittance(from.sigmaA, hit.distance);
+    const transport::Footprint footprint =
+        transport::footprintAtSurface(at.footprint, d, hit.distance, met.face.ng);
+    at.origin = surface.position;
+    at.skip = surface.triangle;
+    at.depth = at.depth + 1;
+    Appearance look = finishes_.at(hit, surface, met.face, d, footprint);
+
+    if (look.alpha < 1.0f && transport::nextRandom(tree) >= look.alpha) {  // straight on
+        at.footprint.originX += hit.distance * at.footprint.directionX;
+        at.footprint.originY += hit.distance * at.footprint.directionY;
+        tree.branch = at;
+        return glm::vec3(0.0f);
+    }
+    pdf = 0.0f;
+    if (finish.unlit) {
+        transport::endBranch(tree);
+        return at.throughput * look.baseColor;
+    }
+    if (!met.consistent) tree.inconsistencies = tree.inconsistencies + 1;
+    glm::vec3 radiance = at.throughput * look.emission;
+
+    // As rough at least as the footprint is wide: what a sharper highlight holds would be found by
+    // few samples, and be bright.
+    const float width = std::sqrt(transport::footprintSolidAngle(at.footprint));
+    look.a =
+        glm::max(look.a, glm::vec2(std::min(0.5f * width, 0.3f) * (width > 0.02f ? 1.0f : 0.0f)));
+
+    const bool solid = surface.kind == transport::kDielectric;
+    if (solid && from.eta == to.eta) {  // nothing to be seen
+        at.media = met.beyond;
+        at.footprint = footprint;
+        tree.branch = at;
+        return glm::vec3(0.0f);
+    }
+    const Layered::Base base = solid                      ? Layered::Base::solid
+                               : look.transmission > 0.0f ? Layered::Base::thin
+                                                          : Layered::Base::opaque;
+    const Layered layers(look, base, solid ? to.eta / from.eta : 1.0f,
+                         solid ? finishes_.clearAlbedo(hit.surface, to.eta > from.eta) : nullptr,
+                         -d);
+    radiance += at.throughput * direct(layers, at, sampler.point());
+
+    const glm::vec2 u = sampler.point();
+    LobeSample sample = layers.sample(sampler.point().x, u);
+    float weight = transport::heaviness(sample.weight);
+    if (weight > 0.0f && at.depth > kSurestDepth && weight < 1.0f) {
+        if (transport::nextRandom(tree) >= weight) weight = 0.0f;
+        sample.weight = weight > 0.0f ? sample.weight / weight : sample.weight;
+    }
+    if (!(weight > 0.0f)) {
+        transport::endBranch(tree);
+        return radiance;
+    }
+    const bool enclosed = at.media != 0u;  // then the environment was not asked
+    at.direction = transport::onSide(sample.wi, met.face.ng, sample.through ? -1.0f : 1.0f);
+    at.throughput *= sample.weight;
+    if (solid && sample.through) at.media = met.beyond;
+    if (sample.pdf > 0.0f) {
+        const float spread =
+            std::min(1.0f / std::sqrt(sample.pdf * expectedSamples_), kWidestSpread);
+        at.footprint = spreadFootprint(at.direction, spread);
+        if (!enclosed) pdf = sample.pdf;
+    } else if (!sample.through) {
+        at.footprint = transport::reflectedFootprint(
+            footprint, transport::normalChangeOver(footprint, surface, met.face), met.face, d);
+    } else {
+        at.footprint = footprint;
+    }
+    tree.branch = at;
+    return radiance;
+}
+
+}  // namespace tukor::trace

@@ -1,0 +1,52 @@
+// What light does at a surface with a finish: asks the environment and the lamps, and goes on in
+// one direction by chance.
+#pragma once
+#include "tukor/trace/frame.h"
+#include "tukor/trace/layered.h"
+#include "tukor/trace/light_sampler.h"
+#include "tukor/trace/sampler.h"
+
+namespace tukor::trace {
+
+/// The tracer's part for surfaces that are not ideally smooth. Threads may share it.
+///
+/// No fireflies: light that is found both by asking for it and by chance is weighted between the
+/// two [Veach 1997]; what is only found by chance, through glass, is looked up over the solid angle
+/// that the sample stands for, and surfaces met later are as rough as that at least; both shrink as
+/// samples grow. No weight is ever larger than the albedo of a surface by more than the sampling of
+/// one lobe misses, as paths end by chance only in proportion to it.
+class RoughEvent {
+public:
+    RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const RayCaster& caster,
+               const EnvironmentMap& environment, float expectedSamples);
+
+    /// Whether the surface of a hit has a finish; then meet() is to be called instead of scatter().
+    [[nodiscard]] bool concerns(const RayHit& hit) const noexcept {
+        return hit.surface >= 0 && finishes_.finishOf(hit.surface) != nullptr;
+    }
+
+    /// The current branch of a tree has met a surface with a finish. Returns the radiance found,
+    /// and sets `pdf` to that of the branch's new direction where escape() is then to be used.
+    [[nodiscard]] glm::vec3 meet(transport::Tree& tree, const RayHit& hit,
+                                 const transport::SurfaceHit& surface,
+                                 const transport::Encounter& met, PathSampler& sampler,
+                                 float& pdf) const noexcept;
+
+    /// The radiance of a branch that leaves the scene in the direction that meet() sampled with
+    /// `pdf`.
+    [[nodiscard]] glm::vec3 escape(const transport::Branch& branch, float pdf) const noexcept;
+
+private:
+    [[nodiscard]] glm::vec3 visible(glm::vec3 origin, glm::vec3 direction, int skip) const noexcept;
+    [[nodiscard]] glm::vec3 direct(const Layered& layers, const transport::Branch& at,
+                                   glm::vec2 u) const noexcept;
+
+    const SurfaceTable& surfaces_;
+    const RayCaster& caster_;
+    const EnvironmentMap& environment_;
+    FinishTable finishes_;
+    std::unique_ptr<LightSampler> lights_;  // none where no part has a finish
+    float expectedSamples_;
+};
+
+}  // namespace tukor::trace
