@@ -52,6 +52,7 @@ void Renderer::setScene(const Scene& scene, Preparation preparation) {
     materials_.clear();
     for (const Part& part : scene.parts) materials_.push_back(part.material);
     surfaces_ = SurfaceBuffers(scene);
+    finishes_.clear();
     tracedScene_ = preparation == Preparation::all ? TracedScene(scene) : TracedScene();
     resetAccumulation();
     throwPendingErrors("uploading the model");
@@ -66,6 +67,7 @@ void Renderer::setMaterial(int part, const Material& material) {
 
 void Renderer::setEnvironment(const Environment& environment, Preparation preparation) {
     environment_ = EnvironmentTexture(environment, preparation);
+    lightChain_ = LightChain(environment, environment_.scale());
     resetAccumulation();
     throwPendingErrors("uploading the environment");
 }
@@ -149,6 +151,12 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
     const auto drawBackground = [&] {
         background_.draw(picture.background, view, turn, footprintMiddle, environment_);
     };
+    const FinishFrame frame{
+        view, turn, footprintMiddle, environment_.define(),
+        1.0f / (environment_.scale() * std::max(picture.environmentIntensity, 1e-6f))};
+    const auto drawFinishes = [&](FinishDrawer::Pass pass) {
+        finishes_.draw(surfaces_, materials_, pass, lightChain_, frame);
+    };
     glEnable(GL_SCISSOR_TEST);
     for (const Look& look : looks) {
         if (look.fidelity != Fidelity::single) continue;
@@ -156,7 +164,9 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
         if (subject.options.backgroundOrder == BackgroundOrder::first) drawBackground();
         single_.draw(surfaces_, materials_, look.fresnel, view, turn, footprintMiddle,
                      environment_.define());
+        drawFinishes(FinishDrawer::Pass::opaque);
         if (subject.options.backgroundOrder == BackgroundOrder::last) drawBackground();
+        drawFinishes(FinishDrawer::Pass::blended);
     }
     glDisable(GL_SCISSOR_TEST);
     if (multisampled) buffers_.endMultisampled();

@@ -7,7 +7,9 @@
 #include "tukor/environment/environment.h"
 #include "tukor/gl/background_drawer.h"
 #include "tukor/gl/environment_texture.h"
+#include "tukor/gl/finish_drawer.h"
 #include "tukor/gl/frame_buffers.h"
+#include "tukor/gl/light_chain.h"
 #include "tukor/gl/single_drawer.h"
 #include "tukor/gl/surface_buffers.h"
 #include "tukor/gl/traced_drawer.h"
@@ -131,6 +133,8 @@ private:
     FrameBuffers buffers_;
     BackgroundDrawer background_;
     SingleDrawer single_;
+    FinishDrawer finishes_;
+    LightChain lightChain_;
     TracedScene tracedScene_;
     TracedDrawer traced_;
     Counting counting_ = Counting::none;

@@ -8,6 +8,8 @@ extern const ShaderSource accumulateFrag;
 extern const ShaderSource backgroundFrag;
 extern const ShaderSource backgroundShellVert;
 extern const ShaderSource backgroundVert;
+extern const ShaderSource finishFrag;
+extern const ShaderSource finishVert;
 extern const ShaderSource fullViewportVert;
 extern const ShaderSource presentFrag;
 extern const ShaderSource surfaceFrag;

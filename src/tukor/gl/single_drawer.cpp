@@ -27,6 +27,7 @@ void SingleDrawer::draw(const SurfaceBuffers& surfaces, const std::vector<Materi
     surfaces.bind();
     for (int part = 0; part < surfaces.parts(); ++part) {
         const Material& material = materials[static_cast<std::size_t>(part)];
+        if (material.finish) continue;  // FinishDrawer's
         const Program& program = programFor(material.kind, fresnel, environmentDefine);
         program.set("clipFromWorld", view.clipFromWorld);
         program.set("environmentFromWorld", environmentFromWorld);

@@ -14,8 +14,9 @@ namespace tukor::gl {
 
 class SingleDrawer {
 public:
-    /// Draws every part with the material of the same index, with the environment in texture unit
-    /// 0, in front of NDC depth 0.999. `environmentDefine` is EnvironmentTexture::define().
+    /// Draws every ideally smooth part with the material of the same index, with the environment in
+    /// texture unit 0, in front of NDC depth 0.999. `environmentDefine` is
+    /// EnvironmentTexture::define().
     void draw(const SurfaceBuffers& surfaces, const std::vector<Material>& materials,
               FresnelForm fresnel, const View& view, const glm::mat3& environmentFromWorld,
               glm::vec2 footprintMiddle, std::string_view environmentDefine);

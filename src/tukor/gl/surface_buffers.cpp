@@ -1,5 +1,6 @@
 #include "tukor/gl/surface_buffers.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -95,7 +96,36 @@ SurfaceBuffers::SurfaceBuffers(const Scene& scene)
         glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 2 * sizeof(glm::vec3),
                               reinterpret_cast<const void*>(attribute * sizeof(glm::vec3)));
     }
+    addDetails(scene);
     glBindVertexArray(0);
+}
+
+void SurfaceBuffers::addDetails(const Scene& scene) {
+    const bool wanted = std::any_of(scene.parts.begin(), scene.parts.end(), [](const Part& part) {
+        return part.material.finish != nullptr;
+    });
+    if (!wanted) return;
+    std::vector<glm::vec4> details;  // two texture coordinates, tangent, colour in turn
+    for (const Part& part : scene.parts) {
+        const Mesh& mesh = part.mesh;
+        const auto uv = [&](std::size_t set, std::size_t i) {
+            return mesh.uvs[set].empty() ? glm::vec2(0.0f) : mesh.uvs[set][i];
+        };
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            details.emplace_back(uv(0, i), uv(1, i));
+            details.push_back(mesh.tangents.empty() ? glm::vec4(0.0f) : mesh.tangents[i]);
+            details.push_back(mesh.colors.empty() ? glm::vec4(1.0f) : mesh.colors[i]);
+        }
+    }
+    details_ = Buffer::make();
+    glBindBuffer(GL_ARRAY_BUFFER, details_.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(details.size() * sizeof(glm::vec4)),
+                 details.data(), GL_STATIC_DRAW);
+    for (GLuint i = 0; i < 3; ++i) {
+        glEnableVertexAttribArray(2 + i);
+        glVertexAttribPointer(2 + i, 4, GL_FLOAT, GL_FALSE, 3 * sizeof(glm::vec4),
+                              reinterpret_cast<const void*>(i * sizeof(glm::vec4)));
+    }
 }
 
 void SurfaceBuffers::draw(int part, glm::vec3 eye) const {

@@ -14,6 +14,9 @@ public:
     explicit SurfaceBuffers(const Scene& scene);
 
     [[nodiscard]] int parts() const noexcept { return static_cast<int>(ranges_.size()); }
+    [[nodiscard]] const Bounds& boundsOfPart(int part) const {
+        return ranges_[static_cast<std::size_t>(part)].bounds;
+    }
     void bind() const { glBindVertexArray(vertexArray_.id()); }
 
     /// Draws one part, as seen from `eye`, with the program and the vertex array that are bound.
@@ -23,6 +26,8 @@ public:
     void draw(int part, glm::vec3 eye) const;
 
 private:
+    void addDetails(const Scene& scene);
+
     struct Range {
         GLsizei indices = 0;
         std::size_t firstByte = 0;
@@ -31,6 +36,7 @@ private:
     };
     VertexArray vertexArray_;
     Buffer vertices_;
+    Buffer details_;  // texture coordinates, tangents and colours, where a part has a finish
     Buffer indices_;
     std::vector<Range> ranges_;
 };
