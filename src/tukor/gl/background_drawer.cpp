@@ -80,10 +80,6 @@ void BackgroundDrawer::draw(Background background, const View& view,
     const Program& program = programs_.at(key);
     program.set("environment", 0);
     program.set("footprintMiddle", footprintMiddle);
-    // The smallest texels, at a face's corners, see 2 / (3 sqrt 3) times the angle of the middle's
-    // 2 / faceSize; wide pictures have smaller pixels away from the centre.
-    program.set("magnified",
-                view.pixelAngle * static_cast<float>(environment.faceSize()) < 0.77f ? 1 : 0);
     const glm::mat4 rayFromWorld(environmentFromWorld);
     if (quad) {
         program.set("rayDirMatrix", rayFromWorld * view.rayDirMatrix);

@@ -33,7 +33,6 @@ View viewOf(const Camera& camera, const PictureWindow& window, glm::vec2 jitter,
         windowFromPicture * clipFromCamera(camera, aspect, planes) * cameraFromWorld(camera);
     view.rayDirMatrix = rayDirMatrix(camera, aspect, planes) * pictureFromWindow;
     view.eye = camera.eye;
-    view.pixelAngle = 2.0f * std::tan(0.5f * camera.verticalFov) / full.y;
     return view;
 }
 

@@ -14,8 +14,6 @@ struct View {
     /// is the ray's direction without a divide: w is the same positive number all over the quad.
     glm::mat4 rayDirMatrix;
     glm::vec3 eye;
-    /// How far the ray's direction moves from one pixel to the next at the centre, in radians.
-    float pixelAngle;
 };
 
 /// A rectangle of a picture of fullWidth x fullHeight pixels; `left` and `bottom` count from its
