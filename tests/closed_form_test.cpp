@@ -60,6 +60,7 @@ TEST_P(ClosedForm, IsWhatTheRendererDraws) {
             << report(comparison);
         EXPECT_EQ(comparison.nonFinite, 0u);
         EXPECT_EQ(rendering.leaks, 0u);
+        EXPECT_EQ(rendering.inconsistencies, 0u);
         RecordProperty("rmse8", std::to_string(comparison.rmse8));
     }
 }

@@ -18,7 +18,7 @@
 #include "tukor/scene/assign_materials.h"
 #include "tukor/scene/model_file.h"
 #include "tukor/trace/frame.h"
-#include "tukor/trace/sampler.h"
+#include "tukor/transport/sampler.h"
 
 namespace {
 
@@ -134,11 +134,11 @@ int run(int argc, char** argv) {
     Recorder recorder(surfaces, caster, transportSettings(options));
     std::vector<transport::Tree> trees;
     for (int pixel = 0; pixel < options.width * options.height; ++pixel) {
-        const std::uint32_t seed = mixedBits(static_cast<std::uint32_t>(pixel));
+        const std::uint32_t seed = transport::mixedBits(static_cast<std::uint32_t>(pixel));
         for (std::uint32_t s = 0; s < samples; ++s) {
-            const glm::vec2 place =
-                pixelSample(seed, s) + glm::vec2(pixel % options.width, pixel / options.width);
-            trees.push_back(treeAt(camera, place, mixedBits(seed + s)));
+            const glm::vec2 place = transport::pixelSample(seed, s) +
+                                    glm::vec2(pixel % options.width, pixel / options.width);
+            trees.push_back(treeAt(camera, place, transport::mixedBits(seed + s)));
             if (trees.size() == 64) recorder.follow(trees);
         }
     }

@@ -89,7 +89,7 @@ TEST(BvhEmbree, FindsTheSameTriangles) {
                 const glm::vec3 direction =
                     glm::normalize(i % 2 == 0 ? spread() : 0.4f * spread() - origin);
                 const geometry::BvhHit ours =
-                    geometry::nearestBvhHit(bvh.view(), origin, direction, kFar, -1);
+                    geometry::nearestBvhHit(bvh.view(), origin, direction, 0.0f, kFar, -1);
                 const RTCRayHit theirs = embree.trace(origin, direction);
                 const bool theirHit = theirs.hit.geomID != RTC_INVALID_GEOMETRY_ID;
                 if (ours.triangle < 0 || !theirHit) {

@@ -25,7 +25,7 @@ using geometry::BvhHit;
 constexpr float kFar = 1e30f;
 
 BvhHit nearest(const Bvh& bvh, glm::vec3 origin, glm::vec3 direction, int skip = -1) {
-    return geometry::nearestBvhHit(bvh.view(), origin, direction, kFar, skip);
+    return geometry::nearestBvhHit(bvh.view(), origin, direction, 0.0f, kFar, skip);
 }
 
 // Every triangle in turn, by the same test.
@@ -33,7 +33,7 @@ BvhHit nearestOfAll(const Bvh& bvh, glm::vec3 origin, glm::vec3 direction, int s
     BvhHit hit{kFar, 0.0f, 0.0f, -1, -1.0f};
     const geometry::BvhRay ray = geometry::bvhRay(origin, direction);
     for (int i = 0; i < bvh.triangleCount(); ++i)
-        if (i != skip) geometry::bvhTriangle(bvh.view(), i, ray, hit);
+        if (i != skip) geometry::bvhTriangle(bvh.view(), i, ray, 0.0f, hit);
     return hit;
 }
 

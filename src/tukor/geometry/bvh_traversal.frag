@@ -8,7 +8,7 @@ in vec3 vDirection;
 out vec4 oColor;
 
 void main() {
-    BvhHit hit = nearestBvhHit(uOrigin, vDirection, 1e30, -1);
+    BvhHit hit = nearestBvhHit(uOrigin, vDirection, 0.0, 1e30, -1);
     oColor = vec4(0.0);
     if (hit.triangle >= 0) {
         BvhSurface surface = bvhSurface(hit.triangle);

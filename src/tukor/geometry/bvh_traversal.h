@@ -68,8 +68,10 @@ TUKOR_FN float bvhEdge(vec3 p, vec3 q) {
     return max(p.x * q.y, -3e38f) - max(p.y * q.x, -3e38f);
 }
 
-/// Makes `triangle` the hit if the ray meets it at t > 0 before. [Woop, Benthin and Wald 2013]
-TUKOR_PROCEDURE bvhTriangle(TUKOR_BVH_PARAMETER int triangle, BvhRay ray, TUKOR_INOUT(BvhHit) hit) {
+/// Makes `triangle` the hit if the ray meets it at t > `beyond` before. [Woop, Benthin and Wald
+/// 2013]
+TUKOR_PROCEDURE bvhTriangle(TUKOR_BVH_PARAMETER int triangle, BvhRay ray, float beyond,
+                            TUKOR_INOUT(BvhHit) hit) {
     vec4 first = bvhTriangleTexel(TUKOR_BVH_ARGUMENT 3 * triangle);
     vec3 a = vec3(first) - ray.origin;
     vec3 b = vec3(bvhTriangleTexel(TUKOR_BVH_ARGUMENT 3 * triangle + 1)) - ray.origin;
@@ -90,7 +92,7 @@ TUKOR_PROCEDURE bvhTriangle(TUKOR_BVH_PARAMETER int triangle, BvhRay ray, TUKOR_
         if (max(least.x, least.y) > 0.0f || min(most.x, most.y) < 0.0f) return;
     }
     float t = (wa * a.z + wb * b.z + wc * c.z) / sum;
-    if (!(t > 0.0f) || t > hit.t || (t == hit.t && first.w > hit.rank)) return;
+    if (!(t > beyond) || t > hit.t || (t == hit.t && first.w > hit.rank)) return;
     hit.t = t;
     hit.u = wb / sum;
     hit.v = wc / sum;
@@ -112,12 +114,13 @@ TUKOR_FN float bvhScale(uint exponents, uint axis) {
     return uintBitsToFloat(((exponents >> (8u * axis)) & 255u) << 23u);
 }
 
-/// The nearest triangle but `skip` that the ray meets at t in (0, reach); none if `triangle` is -1.
+/// The nearest triangle but `skip` that the ray meets at t in (beyond, reach); none if `triangle`
+/// is -1. `beyond` is at least 0.
 ///
 /// A ray that leaves a surface starts on its triangle and skips it. `direction` needs no unit
 /// length.
-TUKOR_FN BvhHit nearestBvhHit(TUKOR_BVH_PARAMETER vec3 origin, vec3 direction, float reach,
-                              int skip) {
+TUKOR_FN BvhHit nearestBvhHit(TUKOR_BVH_PARAMETER vec3 origin, vec3 direction, float beyond,
+                              float reach, int skip) {
     BvhHit hit;
     hit.t = reach;
     hit.u = 0.0f;
@@ -215,7 +218,7 @@ TUKOR_FN BvhHit nearestBvhHit(TUKOR_BVH_PARAMETER vec3 origin, vec3 direction, f
                 if (met) {
                     for (int i = 0; i < int(kind); i++) {
                         if (triangle + i != skip)
-                            bvhTriangle(TUKOR_BVH_ARGUMENT triangle + i, ray, hit);
+                            bvhTriangle(TUKOR_BVH_ARGUMENT triangle + i, ray, beyond, hit);
                     }
                 }
                 triangle += int(kind);

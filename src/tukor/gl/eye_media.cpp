@@ -16,7 +16,7 @@ std::uint32_t mediaAlong(glm::vec3 origin, glm::vec3 direction, const Bvh& bvh,
     int skip = -1;
     for (int i = 0; i < kMostCrossings; ++i) {
         const geometry::BvhHit hit =
-            geometry::nearestBvhHit(bvh.view(), origin, direction, 1e30f, skip);
+            geometry::nearestBvhHit(bvh.view(), origin, direction, 0.0f, 1e30f, skip);
         if (hit.triangle < 0) break;
         const geometry::BvhSurface surface = geometry::bvhSurface(bvh.view(), hit.triangle);
         const bool outwards = glm::dot(direction, glm::cross(surface.e1, surface.e2)) > 0.0f;

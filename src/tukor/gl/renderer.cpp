@@ -107,7 +107,7 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
         if (look.fidelity == Fidelity::single)
             accumulate(look);
         else
-            drawTraced(subject, look, point);
+            drawTraced(subject, look);
     }
     buffers_.swapSums();
     ++frames_;
@@ -186,23 +186,24 @@ void Renderer::accumulate(const Look& look) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-void Renderer::drawTraced(const Subject& subject, const Look& look, glm::vec2 point) {
+void Renderer::drawTraced(const Subject& subject, const Look& look) {
     if (!tracedScene_.ready()) throw Error("the scene was prepared for fidelity single alone");
     const RenderOptions& picture = subject.options.picture;
-    const View view = viewOf(subject.camera, subject.window, point, bounds_);
+    const View view = viewOf(subject.camera, subject.window, glm::vec2(0.0f), bounds_);
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
-    // number so far.
+    // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
+    constexpr float kFootprint = 0.7f;
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
     constexpr int kSumUnit = 5;  // after the environment and the scene
     bindTexture(kSumUnit, buffers_.sum());
     bindTexture(kSumUnit + 1, buffers_.counts());
     const bool count = counting_ == Counting::all && !subject.options.comparison;
-    traced_.draw(
-        tracedScene_, environment_,
-        {view, picture, look.fidelity, look.fresnel,
-         environmentFromWorld(picture.environmentRotation), 1.0f / std::sqrt(samples), frames_},
-        count ? Counting::all : Counting::none, kSumUnit,
-        {look.left, 0, look.right - look.left, subject.window.height});
+    traced_.draw(tracedScene_, environment_,
+                 {view, subject.window, picture, look.fidelity, look.fresnel,
+                  environmentFromWorld(picture.environmentRotation),
+                  kFootprint / std::sqrt(samples), frames_},
+                 count ? Counting::all : Counting::none, kSumUnit,
+                 {look.left, 0, look.right - look.left, subject.window.height});
 }
 
 void Renderer::present(const DisplayOptions& options, const Viewport& viewport) {

@@ -122,7 +122,7 @@ private:
     [[nodiscard]] std::vector<Look> looksOf(const Subject& subject) const;
     void drawRasterised(const Subject& subject, const std::vector<Look>& looks, glm::vec2 point);
     void accumulate(const Look& look);
-    void drawTraced(const Subject& subject, const Look& look, glm::vec2 point);
+    void drawTraced(const Subject& subject, const Look& look);
 
     [[nodiscard]] float radiancePerSum() const;
 

@@ -16,6 +16,8 @@ namespace {
 // second; few pixels use their whole budget.
 constexpr int kRaysPerTile = 1 << 23;
 
+constexpr int kMostLookUps = 17;  // of one deposit, as in trace
+
 int tileSize(int rayBudget) {
     const float pixels = static_cast<float>(kRaysPerTile) / static_cast<float>(rayBudget);
     return std::clamp(static_cast<int>(std::sqrt(pixels)), 32, 4096);
@@ -50,6 +52,13 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     program.set("counted", sumUnit + 1);
     program.set("first", frame.number == 0 ? 1 : 0);
     program.set("frame", static_cast<std::uint32_t>(frame.number));
+    program.set("centred", options.samples.value_or(0) == 1 ? 1 : 0);
+    program.set("pictureSeed", options.seed);
+    const PictureWindow& window = frame.window;
+    program.set("topLeft",
+                glm::ivec2(window.left, window.fullHeight - window.bottom - window.height));
+    program.set("windowSize", glm::ivec2(window.width, window.height));
+    program.set("pictureWidth", window.fullWidth);
     program.set("background", options.background == Background::none ? 0 : 1);
 
     program.set("eye", frame.view.eye);
@@ -67,6 +76,7 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     program.set("rayBudget", std::max(options.rayBudget, 1));
     program.set("maxDepth", std::max(options.maxDepth, 1));
     program.set("weightCutoff", options.weightCutoff);
+    program.set("mostLookUps", kMostLookUps);
 
     const int tile = tileSize(std::max(options.rayBudget, 1));
     glEnable(GL_SCISSOR_TEST);

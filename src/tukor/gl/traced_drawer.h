@@ -16,6 +16,7 @@ public:
     /// One frame: `options` but with the fidelity and Fresnel form given beside it.
     struct Frame {
         const View& view;
+        const PictureWindow& window;
         const RenderOptions& options;
         Fidelity fidelity;
         FresnelForm fresnel;

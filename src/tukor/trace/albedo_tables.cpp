@@ -24,7 +24,7 @@ float clearAlbedo(float cosTheta, float alpha, float eta) {
     const float lambdaOut = optics::ggxLambda(wo, a);
     double sum = 0.0;
     for (std::uint32_t i = 0; i < kPoints; ++i) {
-        const glm::vec3 h = optics::ggxVisibleNormal(wo, a, pixelSample(1u, i));
+        const glm::vec3 h = optics::ggxVisibleNormal(wo, a, transport::pixelSample(1u, i));
         const float c = glm::dot(wo, h);
         const float R = optics::fresnelDielectric(std::clamp(c, 0.0f, 1.0f), eta);
         const auto seen = [&](glm::vec3 wi) {  // G2 / G1

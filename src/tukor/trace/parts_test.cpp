@@ -9,8 +9,8 @@
 #include "tukor/trace/environment_map.h"
 #include "tukor/trace/frame.h"
 #include "tukor/trace/path_pool.h"
-#include "tukor/trace/sampler.h"
 #include "tukor/trace/test_scenes.h"
+#include "tukor/transport/sampler.h"
 
 namespace tukor::trace {
 namespace {
@@ -86,7 +86,7 @@ TEST(Sampler, PrefixesAreStratified) {
         for (int log = 0; log <= 4; ++log) {
             int cells[16] = {};
             for (std::uint32_t i = 0; i < 16; ++i) {
-                const glm::vec2 p = pixelSample(seed, i);
+                const glm::vec2 p = transport::pixelSample(seed, i);
                 const int across = 1 << log, down = 16 >> log;
                 ++cells[static_cast<int>(p.x * float(across)) * down +
                         static_cast<int>(p.y * float(down))];

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tukor/base/parallel.h"
-#include "tukor/trace/sampler.h"
+#include "tukor/transport/sampler.h"
 
 namespace tukor::trace {
 
@@ -100,7 +100,7 @@ void Passes::tile(int number) {
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         const Job& job = jobs[i];
         const std::uint32_t seed =
-            mixedBits(static_cast<std::uint32_t>(job.pixel) ^ mixedBits(frame_.seed));
+            transport::pixelSeed(static_cast<std::uint32_t>(job.pixel), frame_.seed);
         // Pictures of fixed samples are as sharp as these allow; otherwise at least as four do.
         const std::uint32_t density =
             goals_.error || goals_.timeSeconds ? std::max(job.to, 4u) : goals_.samples;
@@ -108,11 +108,11 @@ void Passes::tile(int number) {
         if (jobScale != scale && !batch.empty()) flush();
         scale = jobScale;
         for (std::uint32_t s = job.from; s < job.to; ++s) {
-            const glm::vec2 place = pixelSample(seed, s);
+            const glm::vec2 place = transport::pixelSample(seed, s);
             batch.push_back({static_cast<float>(job.x) + place.x,
                              static_cast<float>(job.y) + place.y,
                              static_cast<int>(i),
-                             mixedBits(seed + s * 0x9e3779b9u),
+                             transport::sampleSeed(seed, s),
                              {seed, s}});
             if (batch.size() == kBatch) flush();
         }

@@ -80,7 +80,7 @@ void PathPool::collect(Path& path, const transport::Deposits& deposits) const no
 }
 
 void PathPool::meet(Path& path, RayHit hit) noexcept {
-    const transport::Branch& ray = path.tree.branch;
+    transport::Branch& ray = path.tree.branch;
     transport::SurfaceHit surface;
     transport::Encounter met;
     const auto look = [&] {

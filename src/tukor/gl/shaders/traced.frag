@@ -6,7 +6,10 @@
 // happened on the way.
 #include "tukor/gl/shaders/environment.glsl"
 #include "tukor/geometry/bvh_traversal.h"
+#include "tukor/transport/look_ups.h"
 #include "tukor/transport/path_tree.h"
+#include "tukor/transport/rounding.h"
+#include "tukor/transport/sampler.h"
 
 uniform vec3 eye;
 uniform vec3 rayCorner;     // direction through the viewport's bottom-left corner, any length
@@ -23,8 +26,14 @@ uniform usampler2D surfaces;  // three texels a part, see traced_scene.cpp
 
 uniform int rayBudget;
 uniform int maxDepth;
+uniform int mostLookUps;  // that one deposit is worth
 uniform float weightCutoff;
 uniform uint frame;
+uniform bool centred;      // the one sample of a pixel is its centre
+uniform uint pictureSeed;
+uniform ivec2 topLeft;     // of the window's pixels in the picture
+uniform ivec2 windowSize;
+uniform int pictureWidth;
 
 uniform sampler2D sum;  // of the frames before
 uniform bool first;     // there are none
@@ -34,8 +43,9 @@ uniform sampler2D counted;
 layout(location = 1) out vec4 counts;  // rays, leaks, inconsistencies, truncated
 #endif
 
+// That of triangle 0 where none was found.
 SurfaceHit surfaceHit(BvhHit found) {
-    BvhSurface triangle = bvhSurface(found.triangle);
+    BvhSurface triangle = bvhSurface(max(found.triangle, 0));
     SurfaceHit hit;
     hit.distance = found.t;
     hit.position = triangle.v0 + found.u * triangle.e1 + found.v * triangle.e2;
@@ -69,15 +79,14 @@ Medium mediumAt(int number) {
 }
 
 vec3 radianceOf(Deposit deposit) {
-    float level = footprintLevel(deposit.solidAngle, environmentFaceSize);
-    return deposit.throughput * environmentRadiance(environmentFromWorld * deposit.direction, level);
-}
-
-// Neighbouring pixels and frames get unrelated numbers. [Jarzynski and Olano 2020, pcg]
-uint seedOf(uvec2 pixel) {
-    uint state = (pixel.x + 7919u * (pixel.y + 7919u * frame)) * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
+    vec3 d = environmentFromWorld * deposit.direction;
+    LookUps l = lookUpsOver(environmentFromWorld * deposit.directionX, environmentFromWorld * deposit.directionY,
+                            0.691 * float(environmentFaceSize), lookUpsWorth(heaviness(deposit.throughput), mostLookUps));
+    vec3 sum = vec3(0.0);
+    for (int j = 0; j < l.down; j++)
+        for (int i = 0; i < l.across; i++)
+            sum += environmentRadiance(d + l.first + float(i) * l.stepX + float(j) * l.stepY, min(l.level, 4.0));
+    return deposit.throughput * sum / float(l.across * l.down);
 }
 
 void main() {
@@ -89,7 +98,11 @@ void main() {
     settings.weightCutoff = weightCutoff;
     settings.splitWeight = 0.0;  // every branch in full: no noise
 
-    vec3 d = rayCorner + gl_FragCoord.x * rayPerColumn + gl_FragCoord.y * rayPerRow;
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec2 place = topLeft + ivec2(pixel.x, windowSize.y - 1 - pixel.y);
+    uint seed = pixelSeed(uint(place.y * pictureWidth + place.x), pictureSeed);
+    vec2 jitter = centred ? vec2(0.5) : pixelSample(seed, frame);
+    vec3 d = rayCorner + (float(pixel.x) + jitter.x) * rayPerColumn + (float(pixel.y) + 1.0 - jitter.y) * rayPerRow;
     Branch ray;
     ray.origin = eye;
     ray.direction = normalize(d);
@@ -99,18 +112,32 @@ void main() {
     ray.skip = -1;
     ray.depth = 0;
 
-    Tree tree = startTree(ray, seedOf(uvec2(gl_FragCoord.xy)));
+    Tree tree = startTree(ray, sampleSeed(seed, frame));
+    Rounding rounding = exactSoFar();
     vec4 radiance = vec4(0.0, 0.0, 0.0, 1.0);
     while (tree.alive) {
-        Deposits deposits;
+        Deposits deposits = noDeposits();
         if (spent(tree, settings)) {
             deposits = cutBranch(tree);
+            rounding = exactSoFar();
         } else {
             tree.rays++;
-            BvhHit found = nearestBvhHit(tree.branch.origin, tree.branch.direction, 1e30, tree.branch.skip);
-            if (found.triangle >= 0) {
-                SurfaceHit hit = surfaceHit(found);
-                Encounter met = encounter(tree.branch, hit);
+            BvhHit found = nearestBvhHit(tree.branch.origin, tree.branch.direction, rounding.beyond, 1e30,
+                                         tree.branch.skip);
+            bool any = found.triangle >= 0;
+            SurfaceHit hit = surfaceHit(found);
+            Encounter met = encounter(tree.branch, hit);
+            bool agrees = any ? met.consistent : tree.branch.media == 0u;
+            float nearness = nearnessToEdge(found.u, found.v, tree.branch.direction, met.face.ng);
+            if (triesAgain(rounding, tree.branch, any, found.t, nearness, agrees)) {
+                if (rounding.nudged) {
+                    BvhSurface own = bvhSurface(tree.branch.skip);
+                    tree.branch.origin = mix(tree.branch.origin, own.v0 + (own.e1 + own.e2) / 3.0, kEdge);
+                }
+                continue;
+            }
+            rounding = exactSoFar();
+            if (any) {
                 deposits = scatter(tree, hit, met, mediumAt(met.from), mediumAt(met.to), settings);
             } else {
                 bool nothing = tree.branch.depth == 0 && tree.branch.skip < 0 && !background;
@@ -125,7 +152,6 @@ void main() {
         if (deposits.count > 1) radiance.rgb += radianceOf(deposits.second);
     }
 
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
     fragmentColor = first ? radiance : texelFetch(sum, pixel, 0) + radiance;
 #if COUNTING == 1
     vec4 happened = vec4(float(tree.rays), float(tree.leaks), float(tree.inconsistencies), float(tree.truncated));
