@@ -1,0 +1,161 @@
+// The two renderers against each other: the same picture, within two codes of 255, of every solid
+// shape and of imported models.
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <gtest/gtest.h>
+
+#include "tukor/environment/environment.h"
+#include "tukor/geometry/shapes.h"
+#include "tukor/gl/render.h"
+#include "tukor/image/compare.h"
+#include "tukor/materials/materials.h"
+#include "tukor/scene/model_file.h"
+#include "tukor/trace/render.h"
+
+namespace tukor {
+namespace {
+
+/// A shape as another program would write it, bent along the way so that it is no built-in one.
+void writeObject(std::ofstream& file, const std::string& shape, glm::vec3 scale, float bend,
+                 int& firstVertex) {
+    const Mesh mesh = makeShape(shape).value().front().mesh;
+    fmt::print(file, "o {}\n", shape);
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::vec3 q = scale * (p + glm::vec3(0.0f, bend * std::sin(3.0f * p.x), 0.0f));
+        fmt::print(file, "v {} {} {}\n", q.x, q.y, q.z);
+    }
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::ivec3 corner = firstVertex + glm::ivec3(t);
+        fmt::print(file, "f {} {} {}\n", corner.x, corner.y, corner.z);
+    }
+    firstVertex += static_cast<int>(mesh.positions.size());
+}
+
+std::string writtenModel(const std::string& name) {
+    const auto path =
+        std::filesystem::temp_directory_path() /
+        fmt::format("tukor-{}-{}.obj", name, ::testing::UnitTest::GetInstance()->random_seed());
+    std::ofstream file(path);
+    int firstVertex = 1;
+    if (name == "pebble") {
+        writeObject(file, "sphere", {1.0f, 0.6f, 0.8f}, 0.3f, firstVertex);
+    } else {  // a stone in a knotted band
+        writeObject(file, "torus-knot", glm::vec3(1.0f), 0.0f, firstVertex);
+        writeObject(file, "brilliant", glm::vec3(0.5f), 0.0f, firstVertex);
+    }
+    return path.string();
+}
+
+struct Subject {
+    std::string model;
+    std::string material;
+    double fullDepth;  // the share of object pixels that must agree
+    bool onlyStable;   // of those that a shift of 1e-4 pixels changes by less than a code
+};
+
+Scene sceneOf(const Subject& subject) {
+    const bool written = subject.model == "pebble" || subject.model == "ring";
+    const std::string path = written ? writtenModel(subject.model) : subject.model;
+    ModelOptions options;
+    options.material = subject.material;
+    Scene scene = loadModel(path, options);
+    if (subject.model == "ring") scene.parts.at(1).material = parseMaterial("diamond");
+    if (written) std::filesystem::remove(path);
+    return scene;
+}
+
+RenderOptions quick(int maxDepth) {
+    RenderOptions options;
+    options.width = 96;
+    options.height = 54;
+    options.samples = 2;
+    options.maxDepth = maxDepth;
+    options.background = Background::none;
+    options.splitWeight = 0.0f;  // gl follows every branch; so does trace here
+    options.weightCutoff = 1e-3f;
+    return options;
+}
+
+/// `camera`, turned so that every ray moves by that many pixels.
+Camera nudged(Camera camera, float pixels, int height) {
+    const glm::vec3 forward = camera.target - camera.eye;
+    const glm::vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const float angle =
+        pixels * 2.0f * std::tan(0.5f * camera.verticalFov) / static_cast<float>(height);
+    camera.target += right * (angle * glm::length(forward));
+    return camera;
+}
+
+/// The pixels with the object in them that `keep` allows, as a picture of one row.
+template <class Keep>
+Image picked(const Image& image, const Image& coverage, Keep&& keep) {
+    std::vector<glm::vec3> pixels;
+    for (std::size_t i = 0; i < image.pixels().size(); ++i)
+        if (coverage.alpha[i] > 0.0f && keep(i)) pixels.push_back(image.pixels()[i]);
+    Image row(static_cast<int>(pixels.size()), 1);
+    std::copy(pixels.begin(), pixels.end(), row.pixels().begin());
+    return row;
+}
+
+class Renderers : public testing::TestWithParam<Subject> {};
+
+TEST_P(Renderers, DrawTheSamePicture) {
+    const Subject& subject = GetParam();
+    const Scene scene = sceneOf(subject);
+    const Environment light = loadEnvironment("studio");
+    const Camera camera = framingCamera(scene, 16.0f / 9.0f);
+    for (const int depth : {8, 64}) {
+        const RenderOptions options = quick(depth);
+        const Image a = gl::render(scene, light, camera, options).radiance;
+        const Image b = trace::render(scene, light, camera, options).radiance;
+        std::vector<bool> stable(a.pixels().size(), true);
+        if (depth > 8 && subject.onlyStable) {
+            const Image moved =
+                trace::render(scene, light, nudged(camera, 1e-4f, options.height), options)
+                    .radiance;
+            for (std::size_t i = 0; i < stable.size(); ++i) {
+                Image one(1, 1), other(1, 1);
+                one.at(0, 0) = b.pixels()[i];
+                other.at(0, 0) = moved.pixels()[i];
+                stable[i] = compareImages(one, other).maximum8 < 1;
+            }
+        }
+        const auto keep = [&](std::size_t i) { return stable[i]; };
+        const Image rowA = picked(a, b, keep);
+        const Image rowB = picked(b, b, keep);
+        ASSERT_GT(rowA.width(), 300) << "too few pixels to say anything";
+        const Comparison comparison = compareImages(rowA, rowB);
+        EXPECT_GE(comparison.withinTwo8, depth == 8 ? 0.99 : subject.fullDepth)
+            << "depth " << depth << ", " << rowA.width() << " pixels\n"
+            << report(comparison);
+        RecordProperty(fmt::format("depth{}", depth), std::to_string(comparison.withinTwo8));
+        fmt::print("{} {} depth {}: {:.3f} % of {} pixels within 2 codes\n", subject.model,
+                   subject.material, depth, 100.0 * comparison.withinTwo8, rowA.width());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Renderers,
+                         testing::Values(Subject{"sphere", "glass", 0.999, false},
+                                         Subject{"brilliant", "diamond", 0.999, false},
+                                         Subject{"torus-knot", "gold", 0.995, true},
+                                         Subject{"torus-knot", "glass", 0.995, true},
+                                         Subject{"tumbler", "glass", 0.995, true},
+                                         Subject{"teapot", "glass", 0.995, true},
+                                         Subject{"pebble", "water", 0.995, true},
+                                         Subject{"ring", "gold", 0.995, true}),
+                         [](const testing::TestParamInfo<Subject>& info) {
+                             std::string name = info.param.model + "_" + info.param.material;
+                             for (char& c : name)
+                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace tukor
