@@ -11,6 +11,7 @@
 #include <imgui.h>
 
 #include "tukor/app/option_table.h"
+#include "tukor/app/pace.h"
 #include "tukor/app/picture.h"
 #include "tukor/app/session.h"
 #include "tukor/base/error.h"
@@ -18,7 +19,6 @@
 #include "tukor/gl/renderer.h"
 #include "view/hand.h"
 #include "view/notices.h"
-#include "view/pace.h"
 #include "view/panel.h"
 #include "view/window.h"
 
