@@ -273,6 +273,8 @@ def test_environment_workshop(folder):
         assert len(json.load(file)["coefficients"]) == 16
     run("environment", "filter", "-o", "brdf.exr", "--kind", "brdf", "--size", "8", folder=folder)
     run("environment", "info", "studio", "--thumbnail", "sheet.png", folder=folder)
+    fails("environment", "convert", "studio", "-o", "a.exr", "--sun", "a.json", says="no sun found", folder=folder)
+    assert not os.path.exists(os.path.join(folder, "a.json"))
     fails("environment", "convert", "nowhere", "-o", "a.exr", says="built in are studio, sky", folder=folder)
     fails("environment", "convert", "sky.exr", "-o", "a.exr", "--layout", "faces", says="need a pattern", folder=folder)
     fails("environment", "convert", "sky.exr", "-o", "a.exr", "--size", "33", says="an even number", folder=folder)

@@ -149,8 +149,8 @@ WorkSource readSource(const SourceArguments& arguments) {
         const std::optional<Sun> sun = findSun(panorama);
         if (!sun)
             throw Error(
-                fmt::format("{}: no sun found; nothing is small and ten times brighter than "
-                            "what surrounds it",
+                fmt::format("{}: no sun found; nothing is small, alone and ten times brighter "
+                            "than what surrounds it",
                             arguments.in));
         writeFile(arguments.sun, jsonOf(*sun));
         source.panorama = withoutSun(panorama, *sun);

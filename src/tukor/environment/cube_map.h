@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include "tukor/base/large_allocator.h"
+
 namespace tukor {
 
 /// Faces in OpenGL layer order. World axes are right-handed, +Y up; s runs right, t runs down.
@@ -39,7 +41,7 @@ public:
 
 private:
     int faceSize_;
-    std::vector<glm::vec3> texels_;  // [face][row][column]
+    std::vector<glm::vec3, LargeAllocator<glm::vec3>> texels_;  // [face][row][column]
 };
 
 /// A place on the surface of the cube: s and t in [-1, 1], s right, t down.

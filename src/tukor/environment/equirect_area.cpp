@@ -7,171 +7,265 @@
 #include <vector>
 
 #include "tukor/base/parallel.h"
-#include "tukor/environment/cube_mips.h"
-#include "tukor/environment/equirect_rows.h"
 #include "tukor/environment/float4.h"
 
 namespace tukor {
 
 namespace {
 
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr double kPi = std::numbers::pi;
 
-Float4 pixelAt(const Image& panorama, std::size_t index) noexcept {
-    const std::span<const glm::vec3> pixels = panorama.pixels();
-    return index + 1 < pixels.size() ? loadFloat4(&pixels[index]) : float4(pixels[index]);
-}
+// Both the faces beside the horizon and those around the poles fall into four quarters of
+// longitude, and so does a panorama. In a quarter `a` runs along a line of texels at the distance
+// `rho` from the polar axis, in the direction of growing longitude, which is atan(a / rho) from the
+// middle of the quarter. Along a span of longitudes solid angle is the difference of depths, 1 -
+// cos(colatitude), so that rows of pixels and lines of texels are clipped against each other by
+// their depths.
 
-/// A span of longitudes within one column of texels and one column of pixels.
-struct Strip {
-    int texelColumn;
-    int pixelColumn;
-    float longitudes;  // width in radians
-    float slope;       // 1 + s^2 at its middle
+/// A span of longitudes within one texel and one column of pixels.
+struct Piece {
+    int texel;
+    std::array<int, 4> columns;  // of pixels, in each quarter of a group
+    float longitudes;            // width in radians
 };
 
-/// The strips of a face beside the horizon, from s = -1 to 1.
-std::vector<Strip> stripsOf(CubeFace face, int faceSize, int width) {
-    const glm::vec3 axis = directionFromCube({face, 0.0f, 0.0f});
-    // Longitude runs against s on these faces: a cube map is seen from outside, a panorama from
-    // inside.
-    const double middle =
-        std::atan2(static_cast<double>(axis.x), -static_cast<double>(axis.z)) + std::numbers::pi;
-    const double scale = width / (2.0 * std::numbers::pi);
-    std::vector<Strip> strips;
-    for (int column = 0; column < faceSize; ++column) {
-        const double last = std::atan((2.0 * column + 2.0 - faceSize) / faceSize);
-        double begin = std::atan((2.0 * column - faceSize) / faceSize);
-        while (begin < last) {
-            const double pixel = (middle - begin) * scale;
-            // Downwards to the next pixel edge; the margin keeps rounding from making empty strips.
-            const double edge = std::ceil(pixel - 1e-7) - 1.0;
-            const double end = std::min(last, middle - edge / scale);
-            const double s = std::tan(0.5 * (begin + end));
-            const int pixelColumn = static_cast<int>(edge) % width;
-            strips.push_back({column, pixelColumn < 0 ? pixelColumn + width : pixelColumn,
-                              static_cast<float>(end - begin), static_cast<float>(1.0 + s * s)});
-            begin = end;
+/// The pieces of a line, and by piece 1 + (a / rho)^2 in the middle of each.
+struct Pieces {
+    std::vector<Piece> list;
+    std::vector<float> slopes;
+};
+
+/// What a texel gathers, in each quarter; of the northern half and of its mirror image.
+struct Gathered {
+    std::array<Float4, 4> north, south;
+    std::array<float, 4> weights;
+};
+
+/// Where pixel edges lie within a quarter. Wide pixels are cut into parts, so that a piece is
+/// narrow.
+class Sectors {
+public:
+    Sectors(int width, double quarter) : width_(width), parts_(std::max(1, 256 / width)) {
+        const double middle = parts_ * width * (0.5 + 0.25 * quarter);
+        const double reach = 0.125 * parts_ * width;
+        first_ = static_cast<int>(std::floor(middle - reach + 1e-7)) + 1;
+        for (int edge = first_; edge < middle + reach - 1e-7; ++edge) {
+            angles_.push_back((edge - middle) * 2.0 * kPi / (parts_ * width));
+            tangents_.push_back(std::tan(angles_.back()));
         }
     }
-    return strips;
+
+    /// The pieces of a line of texels whose edges have these tangents a / rho, from -1 to 1.
+    void split(const std::vector<double>& edges, Pieces& out) const {
+        out.list.clear();
+        out.slopes.clear();
+        std::size_t texel = 1, sector = 0;
+        double fromTangent = -1.0, fromAngle = -0.25 * kPi;
+        while (texel < edges.size()) {
+            const bool atPixel = sector < tangents_.size() && tangents_[sector] < edges[texel];
+            const double tangent = atPixel ? tangents_[sector] : edges[texel];
+            const double angle = atPixel ? angles_[sector] : std::atan(tangent);
+            if (angle > fromAngle) {
+                Piece piece;
+                piece.texel = static_cast<int>(texel) - 1;
+                const int column = (first_ - 1 + static_cast<int>(sector)) / parts_;
+                for (int i = 0; i < 4; ++i)
+                    piece.columns[static_cast<std::size_t>(i)] =
+                        (column + i * (width_ / 4) + width_) % width_;
+                piece.longitudes = static_cast<float>(angle - fromAngle);
+                const double middle = 0.5 * (tangent + fromTangent);
+                out.list.push_back(piece);
+                out.slopes.push_back(static_cast<float>(1.0 + middle * middle));
+            }
+            fromTangent = tangent;
+            fromAngle = angle;
+            atPixel ? ++sector : ++texel;
+        }
+    }
+
+private:
+    int width_;
+    int parts_;  // of a pixel
+    int first_;  // the first edge within
+    std::vector<double> angles_, tangents_;
+};
+
+/// The panorama by rows, any pixel of which can be loaded as 16 bytes, and the depths of its rows.
+class Rows {
+public:
+    explicit Rows(const Image& panorama)
+        : pixels_(panorama.pixels().data()),
+          width_(static_cast<std::size_t>(panorama.width())),
+          last_(panorama.height() - 1),
+          lastRow_(panorama.pixels().end() - panorama.width(), panorama.pixels().end()) {
+        lastRow_.emplace_back(0.0f);
+        for (int row = 0; row <= panorama.height(); ++row) {
+            const double sine = std::sin(0.5 * kPi * row / panorama.height());
+            depths_.push_back(static_cast<float>(2.0 * sine * sine));
+        }
+        depths_.back() = 3.0f;  // below everything, so that a walk ends there whatever the rounding
+    }
+
+    /// Adds what kQuarters quarters show between depths along each piece.
+    template <std::size_t kQuarters>
+    void gather(const Pieces& pieces, const std::vector<float>& from,
+                const std::vector<float>& until, std::size_t quarter,
+                std::vector<Gathered>& texels) const {
+        int row = 0;
+        for (std::size_t i = 0; i < pieces.list.size(); ++i) {
+            const Piece& piece = pieces.list[i];
+            float top = from[i];
+            while (row > 0 && depths_[static_cast<std::size_t>(row)] > top) --row;
+            while (depths_[static_cast<std::size_t>(row) + 1] <= top) ++row;
+            std::array<Float4, kQuarters> north{}, south{};
+            for (;;) {
+                const float bottom = std::min(depths_[static_cast<std::size_t>(row) + 1], until[i]);
+                const float part = bottom - top;
+                const glm::vec3* const above = rowAt(row);
+                const glm::vec3* const below = rowAt(last_ - row);
+                for (std::size_t q = 0; q < kQuarters; ++q) {
+                    north[q] += part * loadFloat4(above + piece.columns[q]);
+                    south[q] += part * loadFloat4(below + piece.columns[q]);
+                }
+                if (depths_[static_cast<std::size_t>(row) + 1] >= until[i]) break;
+                top = bottom;
+                ++row;
+            }
+            Gathered& texel = texels[static_cast<std::size_t>(piece.texel)];
+            for (std::size_t q = 0; q < kQuarters; ++q) {
+                texel.north[quarter + q] += piece.longitudes * north[q];
+                texel.south[quarter + q] += piece.longitudes * south[q];
+                texel.weights[quarter + q] += piece.longitudes * (until[i] - from[i]);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] const glm::vec3* rowAt(int row) const noexcept {
+        return row == last_ ? lastRow_.data() : pixels_ + static_cast<std::size_t>(row) * width_;
+    }
+
+    const glm::vec3* pixels_;
+    std::size_t width_;
+    int last_;
+    std::vector<glm::vec3> lastRow_;  // and one pixel behind it
+    std::vector<float> depths_;       // of the edges of pixel rows
+};
+
+/// Calls visit(sectors, quarter, count) for the quarters one after the other, or for all four
+/// together where they cut pixels in the same places.
+template <class Visit>
+void visitQuarters(const std::vector<Sectors>& sectors, const Visit& visit) {
+    if (sectors.size() == 1) return visit(sectors[0], 0u, std::integral_constant<std::size_t, 4>());
+    for (std::size_t q = 0; q < 4; ++q)
+        visit(sectors[q], q, std::integral_constant<std::size_t, 1>());
 }
 
-/// Along a strip, solid angle is the difference of heights y of unit directions, whatever the
-/// longitude: rows of pixels and of texels are clipped against each other by their heights.
-void fillSide(const Image& panorama, CubeMap& cube, CubeFace face) {
+void fillSides(const Rows& rows, const std::vector<Sectors>& sectors, CubeMap& cube) {
+    constexpr std::array kFaces = {CubeFace::negZ, CubeFace::posX, CubeFace::posZ, CubeFace::negX};
     const int size = cube.faceSize();
-    const int height = panorama.height();
-    const std::vector<Strip> strips = stripsOf(face, size, panorama.width());
-    std::vector<float> edges(static_cast<std::size_t>(height) +
-                             1);  // heights of the edges of pixel rows
-    for (int row = 0; row <= height; ++row)
-        edges[static_cast<std::size_t>(row)] =
-            static_cast<float>(std::cos(std::numbers::pi * row / height));
-    edges.back() = -2.0f;  // below everything, so that a walk ends there whatever the rounding
-
-    constexpr int kBand = 16;
-    parallelFor(0, size, kBand, [&](int begin, int end) {
-        std::vector<float> above(strips.size()), below(strips.size());
-        std::vector<int> rows(strips.size());
-        std::vector<Float4> sums(static_cast<std::size_t>(size));
-        std::vector<float> weights(static_cast<std::size_t>(size));
-        const auto heights = [&](int line, std::vector<float>& out) {
+    const auto count = static_cast<std::size_t>(size);
+    std::vector<double> edges;
+    for (int i = 0; i <= size; ++i) edges.push_back((2.0 * i - size) / size);
+    std::array<Pieces, 4> pieces;
+    visitQuarters(sectors, [&](const Sectors& sector, std::size_t quarter, auto) {
+        sector.split(edges, pieces[quarter]);
+    });
+    // A row and its mirror image below the horizon at a time.
+    parallelFor(0, (size + 1) / 2, 8, [&](int begin, int end) {
+        std::vector<float> from, until;
+        std::vector<Gathered> texels;
+        const auto depthsAt = [&](int line, const Pieces& line_pieces, std::vector<float>& out) {
             const float t = static_cast<float>(2 * line - size) / static_cast<float>(size);
-            for (std::size_t i = 0; i < strips.size(); ++i)
-                out[i] = -t / std::sqrt(strips[i].slope + t * t);
+            out.resize(line_pieces.slopes.size());
+            for (std::size_t i = 0; i < out.size(); ++i)
+                out[i] = 1.0f + t / std::sqrt(line_pieces.slopes[i] + t * t);
         };
-        heights(begin, above);
-        for (std::size_t i = 0; i < strips.size(); ++i)
-            rows[i] =
-                std::clamp(static_cast<int>(std::acos(above[i]) / kPi * static_cast<float>(height)),
-                           0, height - 1);
         for (int row = begin; row < end; ++row) {
-            heights(row + 1, below);
-            std::fill(sums.begin(), sums.end(), Float4{});
-            std::fill(weights.begin(), weights.end(), 0.0f);
-            for (std::size_t i = 0; i < strips.size(); ++i) {
-                const Strip& strip = strips[i];
-                std::size_t pixelRow = static_cast<std::size_t>(rows[i]);
-                std::size_t pixel = pixelRow * static_cast<std::size_t>(panorama.width()) +
-                                    static_cast<std::size_t>(strip.pixelColumn);
-                float top = above[i];
-                Float4 sum{};
-                for (;;) {
-                    const float bottom = std::max(edges[pixelRow + 1], below[i]);
-                    sum += (top - bottom) * pixelAt(panorama, pixel);
-                    if (edges[pixelRow + 1] <= below[i]) break;
-                    top = bottom;
-                    ++pixelRow;
-                    pixel += static_cast<std::size_t>(panorama.width());
+            texels.assign(count, Gathered{});
+            visitQuarters(sectors, [&](const Sectors&, std::size_t quarter, auto quarters) {
+                depthsAt(row, pieces[quarter], from);
+                depthsAt(row + 1, pieces[quarter], until);
+                rows.gather<quarters()>(pieces[quarter], from, until, quarter, texels);
+            });
+            for (std::size_t q = 0; q < 4; ++q) {
+                const std::span<glm::vec3> face = cube.texels(kFaces[q]);
+                // Longitude runs against s: a cube map is seen from outside, a panorama from
+                // inside.
+                glm::vec3* above = &face[static_cast<std::size_t>(row) * count + count - 1];
+                glm::vec3* below =
+                    &face[static_cast<std::size_t>(size - 1 - row) * count + count - 1];
+                for (const Gathered& texel : texels) {
+                    *above-- = vec3FromFloat4(texel.north[q] / texel.weights[q]);
+                    *below-- = vec3FromFloat4(texel.south[q] / texel.weights[q]);
                 }
-                rows[i] = static_cast<int>(pixelRow);
-                const auto texel = static_cast<std::size_t>(strip.texelColumn);
-                sums[texel] += strip.longitudes * sum;
-                weights[texel] += strip.longitudes * (above[i] - below[i]);
             }
-            glm::vec3* texels =
-                &cube.texels(face)[static_cast<std::size_t>(row) * static_cast<std::size_t>(size)];
-            for (std::size_t i = 0; i < weights.size(); ++i)
-                texels[i] = vec3FromFloat4(sums[i] / weights[i]);
-            std::swap(above, below);
         }
     });
 }
 
-/// The faces around the poles, where texels and pixels lie at all angles to each other.
-void fillPoles(const Image& panorama, CubeMap& cube) {
-    // A rank-1 lattice: no two points share a 32nd in either direction, and none is near another.
-    constexpr int kPoints = 32, kGenerator = 19;
+/// By square rings around the poles. A ring's lines of texels are cut into thinner ones, along
+/// which pixel edges are taken to run straight outwards.
+void fillPoles(const Rows& rows, const std::vector<Sectors>& sectors, double pixelsPerTexel,
+               CubeMap& cube) {
     const int size = cube.faceSize();
-    const int half = (size + 1) / 2;
-    const float step = 2.0f / static_cast<float>(size);
-    const int width = panorama.width(), lastRow = panorama.height() - 1;
-    const glm::vec3* const pixels = panorama.pixels().data();
-    // A load reads 16 bytes of 12: what falls on the very last pixel is taken from the one before.
-    const int lastPixel = static_cast<int>(panorama.pixels().size()) - 2;
-    parallelFor(0, size, 16, [&](int begin, int end) {
-        // (s, -t) on -Y lies right below (s, t) on +Y, and (-s, t) on the mirrored longitude: one
-        // place serves four texels.
-        EquirectRow places(width, lastRow + 1, half);
-        struct Four {
-            std::array<Float4, 4> sums;
-        };
-        std::vector<Four> texels(static_cast<std::size_t>(half));
-        for (int row = begin; row < end; ++row) {
-            std::fill(texels.begin(), texels.end(), Four{});
-            for (int point = 0; point < kPoints; ++point) {
-                const float s = (static_cast<float>(point) + 0.5f) / kPoints;
-                const float t = (static_cast<float>(point * kGenerator % kPoints) + 0.5f) / kPoints;
-                places.place(CubeFace::posY, (static_cast<float>(row) + t) * step - 1.0f,
-                             s * step - 1.0f, step);
-                for (std::size_t i = 0; i < texels.size(); ++i) {
-                    const int x = std::min(static_cast<int>(places.columns[i]), width - 1);
-                    const int y = std::min(static_cast<int>(places.rows[i]), lastRow);
-                    const int up = y * width, down = (lastRow - y) * width;
-                    auto& sums = texels[i].sums;
-                    sums[0] += loadFloat4(pixels + std::min(up + x, lastPixel));
-                    sums[1] += loadFloat4(pixels + std::min(up + width - 1 - x, lastPixel));
-                    sums[2] += loadFloat4(pixels + std::min(down + x, lastPixel));
-                    sums[3] += loadFloat4(pixels + std::min(down + width - 1 - x, lastPixel));
+    const int lines = std::max(4, static_cast<int>(std::ceil(3.0 * pixelsPerTexel)));
+    parallelFor(0, (size + 1) / 2, 8, [&](int begin, int end) {
+        Pieces pieces;
+        std::vector<double> edges;
+        std::vector<float> from, until;
+        std::vector<Gathered> texels;
+        for (int margin = begin; margin < end; ++margin) {
+            const int count = size - 2 * margin;  // texels along a side of the ring
+            const double outer = static_cast<double>(count) / size;
+            const double inner = std::max(0.0, outer - 2.0 / size);
+            texels.assign(static_cast<std::size_t>(count), Gathered{});
+            for (int line = 0; line < lines; ++line) {
+                const double near = inner + (outer - inner) * line / lines;
+                const double far = inner + (outer - inner) * (line + 1) / lines;
+                edges.clear();
+                for (int i = 0; i <= count; ++i)
+                    edges.push_back(
+                        std::clamp((2.0 * i - count) / size / (0.5 * (near + far)), -1.0, 1.0));
+                const auto depthsAt = [&](double rho, std::vector<float>& out) {
+                    out.resize(pieces.slopes.size());
+                    const auto rho2 = static_cast<float>(rho * rho);
+                    for (std::size_t i = 0; i < out.size(); ++i) {
+                        const float r2 = rho2 * pieces.slopes[i];
+                        const float length = std::sqrt(1.0f + r2);
+                        out[i] = r2 / (length * (length + 1.0f));  // 1 - 1 / length, to its digits
+                    }
+                };
+                visitQuarters(sectors,
+                              [&](const Sectors& sector, std::size_t quarter, auto quarters) {
+                                  sector.split(edges, pieces);
+                                  depthsAt(near, from);
+                                  depthsAt(far, until);
+                                  rows.gather<quarters()>(pieces, from, until, quarter, texels);
+                              });
+            }
+            // The last texel of a side is the first of the next; a single one is that of all.
+            const std::size_t last = texels.size() - 1;
+            for (std::size_t q = 0; q < 4; ++q)
+                for (std::size_t i = 0; i < std::max<std::size_t>(last, 1); ++i) {
+                    Float4 north = texels[i].north[q], south = texels[i].south[q];
+                    float weight = texels[i].weights[q];
+                    for (std::size_t more = 1; i == 0 && more <= (last == 0 ? 3u : 1u); ++more) {
+                        const std::size_t before = (q + 4 - more) % 4;
+                        north += texels[last].north[before];
+                        south += texels[last].south[before];
+                        weight += texels[last].weights[before];
+                    }
+                    const int along = margin + static_cast<int>(i), back = size - 1 - along;
+                    const int rowOf[] = {margin, along, size - 1 - margin, back};
+                    const int columnOf[] = {along, size - 1 - margin, back, margin};
+                    cube.texels(
+                        CubeFace::posY)[static_cast<std::size_t>(rowOf[q] * size + columnOf[q])] =
+                        vec3FromFloat4(north / weight);
+                    cube.texels(CubeFace::negY)[static_cast<std::size_t>(
+                        (size - 1 - rowOf[q]) * size + columnOf[q])] =
+                        vec3FromFloat4(south / weight);
                 }
-            }
-            const auto line = [&](CubeFace face, int at) {
-                return cube.texels(face).subspan(static_cast<std::size_t>(at) *
-                                                 static_cast<std::size_t>(size));
-            };
-            const auto posY = line(CubeFace::posY, row),
-                       negY = line(CubeFace::negY, size - 1 - row);
-            for (int i = 0; i < half; ++i) {
-                const auto left = static_cast<std::size_t>(i);
-                const auto right = static_cast<std::size_t>(size - 1 - i);
-                const auto& sums = texels[left].sums;
-                posY[left] = vec3FromFloat4(sums[0] / float{kPoints});
-                negY[left] = vec3FromFloat4(sums[2] / float{kPoints});
-                if (left == right) continue;  // its two halves are one column
-                posY[right] = vec3FromFloat4(sums[1] / float{kPoints});
-                negY[right] = vec3FromFloat4(sums[3] / float{kPoints});
-            }
         }
     });
 }
@@ -179,16 +273,14 @@ void fillPoles(const Image& panorama, CubeMap& cube) {
 }  // namespace
 
 CubeMap areaCubeFromEquirect(const Image& panorama, int faceSize) {
-    // The samples at the poles suffice while a texel spans few pixels; from there on texels are
-    // averaged.
-    const float natural = static_cast<float>(panorama.width()) / kPi;
-    const int factor =
-        std::max(1, static_cast<int>(std::ceil(0.75f * natural / static_cast<float>(faceSize))));
-    CubeMap cube(faceSize * factor);
-    for (const CubeFace face : {CubeFace::posX, CubeFace::negX, CubeFace::posZ, CubeFace::negZ})
-        fillSide(panorama, cube, face);
-    fillPoles(panorama, cube);
-    return factor == 1 ? cube : shrunkCube(cube, faceSize);
+    const Rows rows(panorama);
+    std::vector<Sectors> sectors;
+    for (int quarter = 0; quarter < (panorama.width() % 4 == 0 ? 1 : 4); ++quarter)
+        sectors.emplace_back(panorama.width(), quarter);
+    CubeMap cube(faceSize);
+    fillSides(rows, sectors, cube);
+    fillPoles(rows, sectors, panorama.width() / kPi / faceSize, cube);
+    return cube;
 }
 
 }  // namespace tukor

@@ -8,8 +8,8 @@ namespace tukor {
 /// Each texel is the mean over its solid angle of the panorama's pixels, taken as areas of one
 /// value.
 ///
-/// The four faces around the horizon by clipping pixels against texels, the two others by samples.
-/// White noise is met to 1 %, photographs to 0.2 %.
+/// Pixels are clipped against texels: bench/cube_conversion finds photographs within 1e-3 of exact
+/// means, white noise within 4e-3.
 [[nodiscard]] CubeMap areaCubeFromEquirect(const Image& panorama, int faceSize);
 
 }  // namespace tukor

@@ -208,5 +208,48 @@ TEST(CubeFromEquirect, TakesMeansOverAreasWhenItShrinks) {
     EXPECT_LT(std::sqrt(error / total), 1e-2);
 }
 
+/// The mean of the pixels, as areas of one value, over a texel's solid angle.
+glm::dvec3 exactMean(const Image& image, CubeTexel texel, int faceSize) {
+    constexpr int kPoints = 80;
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    for (int i = 0; i < kPoints * kPoints; ++i) {
+        const double s = 2 * (texel.column + (i % kPoints + 0.5) / kPoints) / faceSize - 1;
+        const double t = 2 * (texel.row + (i / kPoints + 0.5) / kPoints) / faceSize - 1;
+        const glm::vec2 place = equirectFromDirection(
+            directionFromCube({texel.face, static_cast<float>(s), static_cast<float>(t)}));
+        const double weight = std::pow(1 + s * s + t * t, -1.5);
+        sum += weight * glm::dvec3(image.at(
+                            std::min(int(place.x * float(image.width())), image.width() - 1),
+                            std::min(int(place.y * float(image.height())), image.height() - 1)));
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+TEST(CubeFromEquirect, IsTheExactMeanOfNoiseWhereItShrinks) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> even(0.5f, 1.5f);
+    // Sizes odd and even, widths that four quarters cut alike or not.
+    for (const auto& [width, faceSize] : {std::pair(64, 8), std::pair(64, 9), std::pair(50, 8),
+                                          std::pair(26, 5), std::pair(8, 1)}) {
+        Image image(width, width / 2);
+        for (glm::vec3& pixel : image.pixels()) pixel = {even(random), even(random), even(random)};
+        const CubeMap cube = cubeFromEquirect(image, faceSize);
+        double error = 0.0;
+        for (const CubeFace face : kCubeFaces)
+            for (int row = 0; row < faceSize; ++row)
+                for (int column = 0; column < faceSize; ++column) {
+                    const glm::dvec3 difference =
+                        glm::dvec3(
+                            cube.texels(face)[static_cast<std::size_t>(row * faceSize + column)]) -
+                        exactMean(image, {face, column, row}, faceSize);
+                    error += glm::dot(difference, difference) / (18.0 * faceSize * faceSize);
+                }
+        // Of a mean of 1: pixel edges run aslant of the pieces that they are cut into.
+        EXPECT_LT(std::sqrt(error), 4e-3) << width << " to " << faceSize;
+    }
+}
+
 }  // namespace
 }  // namespace tukor

@@ -48,6 +48,18 @@ void visitAround(const Image& image, glm::vec3 direction, double radius, const V
         }
 }
 
+/// Whether nothing outside the sky around it is more than half as bright: of several lamps none is
+/// the sun.
+bool isAlone(const Image& image, glm::vec3 direction, float luminance) {
+    const auto leastCosine = static_cast<float>(std::cos(kSkyRadius));
+    for (int row = 0; row < image.height(); ++row)
+        for (int column = 0; column < image.width(); ++column)
+            if (luminanceOf(image.at(column, row)) > 0.5f * luminance &&
+                glm::dot(directionOf(image, column, row), direction) < leastCosine)
+                return false;
+    return true;
+}
+
 glm::vec3 skyAround(const Image& image, glm::vec3 direction) {
     std::vector<glm::vec3> ring;
     visitAround(image, direction, kSkyRadius, [&](int column, int row, double angle) {
@@ -79,7 +91,8 @@ std::optional<Sun> findSun(const Image& panorama) {
     const glm::vec3 sky = skyAround(panorama, peak);
     const float skyLuminance = luminanceOf(sky);
     const auto meanLuminance = static_cast<float>(mean);
-    if (!(most > 0.0f) || most < 10.0f * skyLuminance || most < 10.0f * meanLuminance)
+    if (!(most > 0.0f) || most < 10.0f * skyLuminance || most < 10.0f * meanLuminance ||
+        !isAlone(panorama, peak, most))
         return std::nullopt;
 
     // What stands out of the sky by a twentieth of the peak belongs to the sun; a wide light has as

@@ -16,7 +16,8 @@ struct Sun {
 };
 
 /// The brightest place, if it is a light of its own: at least 10 times brighter than the sky around
-/// it and than the panorama's mean, and no wider than 3 degrees in radius.
+/// it and than the panorama's mean, no wider than 3 degrees in radius, and alone: nothing more than
+/// 7 degrees away is half as bright.
 [[nodiscard]] std::optional<Sun> findSun(const Image& panorama);
 
 /// The panorama with the sky's radiance where the sun was.

@@ -41,6 +41,11 @@ TEST(FindSun, FindsNoneInAWideLightOrAnEvenSky) {
     EXPECT_FALSE(findSun(Image(64, 32)));
 }
 
+TEST(FindSun, FindsNoneAmongTheLampsOfAStudio) {
+    EXPECT_FALSE(findSun(panoramaFromCube(studioCube(128), 512)));
+    EXPECT_TRUE(findSun(panoramaFromCube(skyCube(128), 512)));
+}
+
 TEST(WithoutSun, LeavesTheSky) {
     const Image image = discPanorama({0, 0.5f, -1}, 0.02f, 1000.0f);
     const std::optional<Sun> sun = findSun(image);

@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include "tukor/base/large_allocator.h"
+
 namespace tukor {
 
 /// `width` x `height` pixels of linear Rec. 709 radiance, row-major from the top-left corner, pixel
@@ -48,7 +50,7 @@ private:
 
     int width_ = 0;
     int height_ = 0;
-    std::vector<glm::vec3> pixels_;
+    std::vector<glm::vec3, LargeAllocator<glm::vec3>> pixels_;
 };
 
 }  // namespace tukor
