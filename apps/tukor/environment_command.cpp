@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "command.h"
+#include "interrupt.h"
 #include "option_parser.h"
+#include "progress_bar.h"
 #include "tukor/app/options.h"
 #include "tukor/base/file.h"
 #include "tukor/environment/environment_work.h"
@@ -223,12 +225,22 @@ int filter(const SourceArguments& from, const TargetArguments& to, const FilterA
         if (size >> (arguments.levels - 1) < 1)
             throw Error(fmt::format("{} levels from faces of {} texels; expected at most {}",
                                     arguments.levels, size, static_cast<int>(std::log2(size)) + 1));
+        const InterruptWatch watch;
+        ProgressBar bar(ProgressBar::Loudness::terminal);
         PrefilteredChain chain = prefilteredChain(
             panorama,
             {.faceSize = size,
              .levels = arguments.levels,
              .shape = arguments.kind == FilterKind::ggx ? LobeShape::ggx : LobeShape::charlie,
-             .scale = arguments.scale});
+             .scale = arguments.scale},
+            [&](float fraction) {
+                bar.show(fraction);
+                return !InterruptWatch::interrupted();
+            });
+        if (chain.levels.empty()) {
+            fmt::print(stderr, "tukor: stopped; nothing was written\n");
+            return kExitInterrupted;
+        }
         if (hasTextureExtension(to.out)) {
             saveLevels(to.out, chain.levels, texture);
             return 0;
@@ -255,22 +267,6 @@ int info(const SourceArguments& from, const std::string& thumbnail) {
     return 0;
 }
 
-void addIn(CLI::App& command, std::string& in) {
-    command
-        .add_option("IN", in,
-                    "an image file, a pattern of six (sky_{}.png), a folder, or studio, sky")
-        ->type_name("");
-}
-
-void addOut(CLI::App& command, std::string& out) {
-    command
-        .add_option("-o,--output", out,
-                    ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube map "
-                    "and its levels")
-        ->type_name("OUT")
-        ->required();
-}
-
 struct AllArguments {
     SourceArguments source;
     TargetArguments target;
@@ -278,6 +274,31 @@ struct AllArguments {
     DevelopOptions develop{.tonemap = Tonemap::none};
     std::string thumbnail;
 };
+
+enum class Needs { something, nothing };  // of IN
+
+void addSource(CLI::App& command, AllArguments& all, Needs needs) {
+    command
+        .add_option("IN", all.source.in,
+                    "an image file, a pattern of six (sky_{}.png), a folder, or studio, sky")
+        ->type_name("")
+        ->required(needs == Needs::something);
+    addOptions(command, "Source", all.source.layout);
+}
+
+/// What reads an environment and writes one.
+void addSourceAndTarget(CLI::App& command, AllArguments& all, Needs needs) {
+    addSource(command, all, needs);
+    addOptions(command, "Source", all.source);
+    command
+        .add_option("-o,--output", all.target.out,
+                    ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube map "
+                    "and its levels")
+        ->type_name("OUT")
+        ->required();
+    addOptions(command, "Target", all.target);
+    addOptions(command, "Development", all.develop);
+}
 
 }  // namespace
 
@@ -289,13 +310,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
 
     CLI::App* command =
         environment->add_subcommand("convert", "from one layout, size or file type to another");
-    addIn(*command, all->source.in);
-    command->get_option("IN")->required();
-    addOut(*command, all->target.out);
-    addOptions(*command, "Source", all->source.layout);
-    addOptions(*command, "Source", all->source);
-    addOptions(*command, "Target", all->target);
-    addOptions(*command, "Development", all->develop);
+    addSourceAndTarget(*command, *all, Needs::something);
     command->footer(
         "Examples\n"
         "  tukor environment convert street.hdr -o street_{}.exr --size 512\n"
@@ -307,13 +322,8 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
 
     command =
         environment->add_subcommand("filter", "for rough surfaces, diffuse light and backgrounds");
-    addIn(*command, all->source.in);
-    addOut(*command, all->target.out);
     addOptions(*command, "Filter", all->filter);
-    addOptions(*command, "Source", all->source.layout);
-    addOptions(*command, "Source", all->source);
-    addOptions(*command, "Target", all->target);
-    addOptions(*command, "Development", all->develop);
+    addSourceAndTarget(*command, *all, Needs::nothing);  // --kind brdf
     command->footer(
         "Examples\n"
         "  tukor environment filter street.hdr -o chain.ktx2 --size 256 --levels 5\n"
@@ -324,9 +334,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     });
 
     command = environment->add_subcommand("info", "size, layout, range, sun and harmonics");
-    addIn(*command, all->source.in);
-    command->get_option("IN")->required();
-    addOptions(*command, "Source", all->source.layout);
+    addSource(*command, *all, Needs::something);
     command
         ->add_option("--thumbnail", all->thumbnail,
                      "a contact sheet: three exposures and the six faces")

@@ -55,7 +55,7 @@ Environment environmentFromPicture(const std::string& name, Image picture,
                         "as wide as high, a cube map a cross of 4 x 3 or 3 x 4 squares or a "
                         "strip of six",
                         name, picture.width(), picture.height()));
-    std::vector<std::string> warnings = describeRepairs(repairRadiance(picture));
+    std::vector<std::string> warnings = repairPictures(name, std::span(&picture, 1));
     if (*layout != Layout::equirect) {
         CubeMap cube = cubeFromLayout(picture, *layout);
         if (options.faceSize && *options.faceSize != cube.faceSize())

@@ -24,18 +24,15 @@ Environment fromSixFiles(const std::string& patternOrFolder, const EnvironmentOp
     const std::array<fs::path, 6> files = faceFiles(patternOrFolder);
     std::array<Image, 6> faces;
     std::array<std::string, 6> names;
-    RepairCount repairs;
     for (std::size_t i = 0; i < 6; ++i) {
         names[i] = files[i].string();
         faces[i] = loadImage(files[i]);
-        const RepairCount count = repairRadiance(faces[i]);
-        repairs.notFinite += count.notFinite;
-        repairs.negative += count.negative;
     }
+    std::vector<std::string> warnings = repairPictures(patternOrFolder, faces);
     CubeMap cube = cubeFromFaces(faces, names);
     if (options.faceSize && *options.faceSize != cube.faceSize())
         cube = resizedCube(cube, *options.faceSize);
-    return {patternOrFolder, std::move(cube), describeRepairs(repairs)};
+    return {patternOrFolder, std::move(cube), std::move(warnings)};
 }
 
 }  // namespace
@@ -57,11 +54,11 @@ Environment loadEnvironment(const std::string& nameOrPath, const EnvironmentOpti
         throw Error(fmt::format("{}: no such environment; built in are {}, anything else is a file",
                                 nameOrPath, fmt::join(builtInEnvironmentNames(), ", ")));
     if (std::optional<TextureFile> texture = loadIfTexture(path); texture && texture->faces == 6) {
-        const RepairCount repairs = repairFaces(*texture);
+        std::vector<std::string> warnings = repairFaces(nameOrPath, *texture);
         CubeMap cube = cubeFromTexture(*texture);
         if (options.faceSize && *options.faceSize != cube.faceSize())
             cube = resizedCube(cube, *options.faceSize);
-        return {nameOrPath, std::move(cube), describeRepairs(repairs)};
+        return {nameOrPath, std::move(cube), std::move(warnings)};
     }
     return environmentFromPicture(nameOrPath, loadPicture(path), options);
 }

@@ -78,7 +78,7 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
     }
     if (std::optional<TextureFile> texture = loadIfTexture(nameOrPath);
         texture && texture->faces == 6) {
-        source.warnings = describeRepairs(repairFaces(*texture));
+        source.warnings = repairFaces(nameOrPath, *texture);
         source.layout = fmt::format("cube map of {} levels", texture->levels);
         source.width = texture->width;
         source.height = texture->height;
@@ -86,7 +86,7 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
         return source;
     }
     Image picture = loadPicture(nameOrPath);
-    source.warnings = describeRepairs(repairRadiance(picture));
+    source.warnings = repairPictures(nameOrPath, std::span(&picture, 1));
     source.width = picture.width();
     source.height = picture.height();
     if (form == PictureForm::octahedral || form == PictureForm::ball) {

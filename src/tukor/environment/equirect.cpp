@@ -165,6 +165,15 @@ int faceSizeForEquirect(int width) noexcept {
 
 CubeMap cubeFromEquirect(const Image& panorama, int faceSize) {
     TUKOR_ASSERT(faceSize >= 1 && !panorama.empty());
+    // Means of one value are that value, but not to the last bit.
+    const std::span<const glm::vec3> pixels = panorama.pixels();
+    if (std::all_of(pixels.begin(), pixels.end(),
+                    [&](const glm::vec3& pixel) { return pixel == pixels.front(); })) {
+        CubeMap cube(faceSize);
+        for (const CubeFace face : kCubeFaces)
+            std::fill(cube.texels(face).begin(), cube.texels(face).end(), pixels.front());
+        return cube;
+    }
     const float natural = static_cast<float>(panorama.width()) / kPi;
     return static_cast<float>(faceSize) >= natural ? fittedCube(panorama, faceSize)
                                                    : areaCubeFromEquirect(panorama, faceSize);

@@ -90,12 +90,20 @@ TEST(TurnedCube, TurnsAsThePanoramaDoes) {
     EXPECT_LT(glm::length(turned.radiance({1, 0, 0}) - landscape({0, 0, 1})), 8e-3f);
 }
 
-TEST(TurnFrom, PutsTheMiddleWhereTheProgramSeesIt) {
+TEST(TurnFrom, PutsTheMiddleWhereEachProgramSeesIt) {
     Image image(64, 32);
     image.at(32, 16) = glm::vec3(1.0f);
-    EXPECT_EQ(turnedPanorama(image, turnFrom(Orientation::blender)).at(48, 16), glm::vec3(1.0f));
-    EXPECT_EQ(turnedPanorama(image, turnFrom(Orientation::openexr)).at(0, 16), glm::vec3(1.0f));
-    EXPECT_EQ(turnedPanorama(image, turnFrom(Orientation::opengl)).at(32, 16), glm::vec3(1.0f));
+    // In this project's panorama -Z is at column 32, +X at 48, +Z at 0.
+    const std::pair<Orientation, int> columns[] = {
+        {Orientation::opengl, 32}, {Orientation::blender, 48}, {Orientation::three, 48},
+        {Orientation::unreal, 48}, {Orientation::openexr, 0},  {Orientation::filament, 0}};
+    static_assert(std::size(columns) == kOrientationSpellings.size());
+    for (const auto& [orientation, column] : columns) {
+        const Image turned = turnedPanorama(image, turnFrom(orientation));
+        EXPECT_EQ(turned.at(column, 16), glm::vec3(1.0f)) << static_cast<int>(orientation);
+        const Image back = turnedPanorama(turned, -turnFrom(orientation));
+        EXPECT_EQ(back.at(32, 16), glm::vec3(1.0f)) << static_cast<int>(orientation);
+    }
 }
 
 TEST(ResizedPanorama, KeepsTheIntegralWhenItShrinks) {

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "tukor/base/error.h"
+
 namespace tukor {
 
 namespace {
@@ -78,6 +80,25 @@ std::vector<std::string> describeRepairs(const RepairCount& count) {
         sentences.push_back(
             fmt::format("{} with negative radiance, set to 0", pixels(count.negative)));
     return sentences;
+}
+
+std::vector<std::string> repairPictures(std::string_view name, std::span<Image> pictures) {
+    RepairCount repairs;
+    for (Image& picture : pictures) {
+        const std::span<const glm::vec3> pixels = picture.pixels();
+        const auto broken = static_cast<std::size_t>(
+            std::count_if(pixels.begin(), pixels.end(), [](const glm::vec3& pixel) {
+                return !std::isfinite(pixel.x) || !std::isfinite(pixel.y) ||
+                       !std::isfinite(pixel.z);
+            }));
+        if (broken > pixels.size() / 2)
+            throw Error(fmt::format("{}: {} of {} pixels are not finite; the file is damaged", name,
+                                    broken, pixels.size()));
+        const RepairCount count = repairRadiance(picture);
+        repairs.notFinite += count.notFinite;
+        repairs.negative += count.negative;
+    }
+    return describeRepairs(repairs);
 }
 
 }  // namespace tukor

@@ -1,6 +1,8 @@
 // Makes captured radiance finite and non-negative.
 #pragma once
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tukor/image/image.h"
@@ -24,5 +26,10 @@ RepairCount repairRadiance(Image& image);
 
 /// One sentence for each kind of repair that was made, none when all was well.
 [[nodiscard]] std::vector<std::string> describeRepairs(const RepairCount& count);
+
+/// Repairs the pictures of the file `name` and says what was done, as describeRepairs. Throws Error
+/// where more than half of their pixels are not finite: nothing is left to repair them from.
+[[nodiscard]] std::vector<std::string> repairPictures(std::string_view name,
+                                                      std::span<Image> pictures);
 
 }  // namespace tukor

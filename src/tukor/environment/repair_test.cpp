@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tukor/base/error.h"
+
 namespace tukor {
 namespace {
 
@@ -50,6 +52,19 @@ TEST(RepairRadiance, TakesNeighboursOverTheSeamAndZeroWhereThereIsNone) {
     EXPECT_EQ(image.at(0, 0), glm::vec3(5.0f));
     EXPECT_EQ(image.at(1, 0), glm::vec3(0.0f));
     EXPECT_EQ(count.notFinite, 3);
+}
+
+TEST(RepairPictures, RefusesWhatIsMostlyNoRadiance) {
+    std::vector<Image> pictures(6, Image(4, 4));
+    for (int i = 0; i < 8; ++i) pictures[5].at(i % 4, i / 4) = glm::vec3(std::nanf(""));
+    EXPECT_EQ(repairPictures("a", pictures).size(), 1u);  // exactly half of one
+    for (glm::vec3& pixel : pictures[5].pixels()) pixel.y = std::nanf("");
+    try {
+        (void)repairPictures("a.dds", pictures);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "a.dds: 16 of 16 pixels are not finite; the file is damaged");
+    }
 }
 
 }  // namespace

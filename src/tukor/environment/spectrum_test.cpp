@@ -1,5 +1,6 @@
 #include "tukor/environment/spectrum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -231,7 +232,7 @@ TEST(PrefilteredChain, KeepsAConstantExactlyConstant) {
         for (const CubeMap& level : prefilteredChain(image, options).levels)
             for (const CubeFace face : kCubeFaces)
                 for (const glm::vec3& texel : level.texels(face))
-                    EXPECT_LT(glm::length(texel - glm::vec3(0.7f, 1.0f, 123.0f)), 2e-5f);
+                    ASSERT_EQ(texel, glm::vec3(0.7f, 1.0f, 123.0f)) << level.faceSize();
     }
 }
 
@@ -241,6 +242,39 @@ TEST(PrefilteredChain, IsNeverNegativeBesideASun) {
     for (const CubeMap& level : prefilteredChain(image, {.faceSize = 16, .levels = 4}).levels)
         for (const CubeFace face : kCubeFaces)
             for (const glm::vec3& texel : level.texels(face)) EXPECT_GE(texel.x, 0.0f);
+}
+
+TEST(PrefilteredChain, IsTheSameForAnyNumberOfThreads) {
+    const Image image = sunnyNoise(128, 64);
+    setThreadCount(1);
+    const PrefilteredChain one = prefilteredChain(image, {.faceSize = 32, .levels = 5});
+    setThreadCount(0);
+    const PrefilteredChain all = prefilteredChain(image, {.faceSize = 32, .levels = 5});
+    for (std::size_t level = 0; level < 5; ++level)
+        for (const CubeFace face : kCubeFaces)
+            EXPECT_TRUE(std::equal(one.levels[level].texels(face).begin(),
+                                   one.levels[level].texels(face).end(),
+                                   all.levels[level].texels(face).begin()));
+}
+
+TEST(PrefilteredChain, IsContinuousOverTheSeams) {
+    // Texels across an edge differ by no more than their neighbours within the face do.
+    const CubeMap level =
+        prefilteredChain(sunnyNoise(128, 64), {.faceSize = 64, .levels = 4}).levels[2];
+    const int size = level.faceSize();
+    float across = 0.0f, within = 0.0f;
+    for (const CubeFace face : kCubeFaces)
+        for (int row = 0; row < size; ++row) {
+            const auto at = [&](const CubeTexel& t) {
+                return level.texels(t.face)[static_cast<std::size_t>(t.row * size + t.column)];
+            };
+            across = std::max(across, glm::length(at({face, 0, row}) -
+                                                  at(texelAcrossEdge({face, -1, row}, size))));
+            for (int column = 1; column < size; ++column)
+                within = std::max(
+                    within, glm::length(at({face, column, row}) - at({face, column - 1, row})));
+        }
+    EXPECT_LE(across, within);
 }
 
 TEST(PrefilteredChain, StopsWhenAsked) {

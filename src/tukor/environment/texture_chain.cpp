@@ -8,6 +8,7 @@
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
 #include "tukor/environment/layout.h"
+#include "tukor/environment/repair.h"
 #include "tukor/image/image_file.h"
 
 namespace tukor {
@@ -30,14 +31,9 @@ Image loadPicture(const std::filesystem::path& path) {
     return std::move(texture->images.front());
 }
 
-RepairCount repairFaces(TextureFile& texture) {
-    RepairCount repairs;
-    for (int face = 0; face < texture.faces; ++face) {
-        const RepairCount count = repairRadiance(texture.images[static_cast<std::size_t>(face)]);
-        repairs.notFinite += count.notFinite;
-        repairs.negative += count.negative;
-    }
-    return repairs;
+std::vector<std::string> repairFaces(std::string_view name, TextureFile& texture) {
+    return repairPictures(name,
+                          std::span(texture.images).first(static_cast<std::size_t>(texture.faces)));
 }
 
 CubeMap cubeFromTexture(const TextureFile& texture) {

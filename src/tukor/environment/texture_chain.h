@@ -5,7 +5,6 @@
 #include <span>
 
 #include "tukor/environment/cube_map.h"
-#include "tukor/environment/repair.h"
 #include "tukor/image/texture_file.h"
 
 namespace tukor {
@@ -19,8 +18,8 @@ namespace tukor {
 /// A picture from an image file, or the first level of a texture of one face. Throws Error.
 [[nodiscard]] Image loadPicture(const std::filesystem::path& path);
 
-/// Repairs the first level of every face.
-RepairCount repairFaces(TextureFile& texture);
+/// Repairs the first level of every face, as repairPictures does.
+[[nodiscard]] std::vector<std::string> repairFaces(std::string_view name, TextureFile& texture);
 
 /// The first level of a texture of six faces.
 [[nodiscard]] CubeMap cubeFromTexture(const TextureFile& texture);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -38,7 +37,7 @@ const TexelLayout* layoutOfGl(std::uint32_t internal, std::uint32_t format, std:
 }  // namespace
 
 bool isKtx1(std::span<const std::byte> bytes) noexcept {
-    return bytes.size() >= 12 && std::memcmp(bytes.data(), kIdentifier.data(), 12) == 0;
+    return startsWith(bytes, kIdentifier);
 }
 
 TextureFile decodeKtx1(std::span<const std::byte> bytes, std::string_view name) {
@@ -52,13 +51,7 @@ TextureFile decodeKtx1(std::span<const std::byte> bytes, std::string_view name) 
     const std::uint32_t format = reader.u32();
     const std::uint32_t internal = reader.u32();
     reader.skip(4);
-    TextureShape shape;
-    shape.width = reader.u32();
-    shape.height = reader.u32();
-    shape.depth = reader.u32();
-    shape.layers = reader.u32();
-    shape.faces = reader.u32();
-    shape.levels = std::max(reader.u32(), 1u);  // 0 asks the reader to make them
+    const TextureShape shape = readKtxShape(reader);
     const auto values = reader.take(reader.u32());
     const TexelLayout* layout = layoutOfGl(internal, format, type);
     if (!layout)
@@ -83,9 +76,7 @@ TextureFile decodeKtx1(std::span<const std::byte> bytes, std::string_view name) 
             texture.images[std::size_t{level} * shape.faces + face] = unpackFace(
                 shape, *layout, level, kRowAlignment, reader.take(paddedTo4(size)).first(size));
     }
-    const auto orientation = ktxValue(values, "KTXorientation");
-    if (shape.faces == 1 && orientation && orientation->find("T=u") != std::string_view::npos)
-        flipRows(texture);
+    applyKtxOrientation(texture, values, "T=u");
     return texture;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 
 #include <fmt/format.h>
 #include <zstd.h>
@@ -55,7 +54,7 @@ std::span<const std::byte> expanded(std::span<const std::byte> stored, std::uint
 }  // namespace
 
 bool isKtx2(std::span<const std::byte> bytes) noexcept {
-    return bytes.size() >= 12 && std::memcmp(bytes.data(), kIdentifier.data(), 12) == 0;
+    return startsWith(bytes, kIdentifier);
 }
 
 TextureFile decodeKtx2(std::span<const std::byte> bytes, std::string_view name) {
@@ -64,13 +63,7 @@ TextureFile decodeKtx2(std::span<const std::byte> bytes, std::string_view name) 
     reader.skip(12);
     const std::uint32_t format = reader.u32();
     reader.skip(4);
-    TextureShape shape;
-    shape.width = reader.u32();
-    shape.height = reader.u32();
-    shape.depth = reader.u32();
-    shape.layers = reader.u32();
-    shape.faces = reader.u32();
-    shape.levels = std::max(reader.u32(), 1u);  // 0 asks the reader to make them
+    const TextureShape shape = readKtxShape(reader);
     const std::uint32_t scheme = reader.u32();
     reader.skip(8);  // the data format descriptor says what the Vulkan format says
     const std::uint32_t valuesOffset = reader.u32();
@@ -112,8 +105,7 @@ TextureFile decodeKtx2(std::span<const std::byte> bytes, std::string_view name) 
             texture.images[std::size_t{level} * shape.faces + face] =
                 unpackFace(shape, *layout, level, 1, texels.subspan(face * size, size));
     }
-    const auto orientation = ktxValue(reader.slice(valuesOffset, valuesSize), "KTXorientation");
-    if (shape.faces == 1 && orientation && orientation->starts_with("ru")) flipRows(texture);
+    applyKtxOrientation(texture, reader.slice(valuesOffset, valuesSize), "ru");
     return texture;
 }
 

@@ -26,7 +26,7 @@ constexpr std::uint64_t kMostCopiedTriangles = 1 << 24;  // 600 MB of them
 constexpr std::size_t kMostParts = 1 << 18;
 
 // A small file can repeat what it has without end: that is found out before anything is read.
-void checkTotal(const GltfDocument& document, const std::vector<GltfPlaced>& placed) {
+void checkTotal(const GltfDocument& document, const std::deque<GltfPlaced>& placed) {
     const JsonItem root = document.root();
     std::map<std::size_t, std::pair<std::uint64_t, std::size_t>> counts;  // triangles, primitives
     std::uint64_t triangles = 0;
@@ -104,11 +104,12 @@ private:
 
     void addMesh(const GltfPlaced& placed) {
         const JsonItem mesh = document_.item("meshes", placed.index, document_.root());
+        const std::string where = document_.item("nodes", placed.node, document_.root()).where();
         for (const JsonItem primitive : mesh.list("primitives")) {
             Mesh triangles = readPrimitive(document_, primitive, placed.name, notes_);
             if (triangles.triangles.empty()) continue;
             triangles = finishedMesh(placedMesh(std::move(triangles), placed), options_.creaseAngle,
-                                     placed.where, placed.name, notes_);
+                                     where, placed.name, notes_);
             if (triangles.triangles.empty()) {
                 notes_.add("scaled to nothing, left out", placed.name);
                 continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,6 +13,8 @@
 namespace tukor {
 
 namespace {
+
+constexpr std::size_t kMostPlaced = 1 << 18;  // as many as parts are drawn
 
 glm::dmat4 localTransform(const JsonItem& node) {
     if (const std::optional<std::array<double, 16>> m = node.numbers<16>("matrix")) {
@@ -35,26 +38,14 @@ glm::dmat4 localTransform(const JsonItem& node) {
     return matrix;
 }
 
-std::vector<std::size_t> indices(const JsonItem& owner, const char* name) {
-    std::vector<std::size_t> values;
-    const JsonList list = owner.list(name);
-    values.reserve(list.size());
-    for (const JsonItem item : list) values.push_back(item.count());
-    return values;
-}
-
-std::vector<std::size_t> rootNodes(const GltfDocument& document, std::size_t nodes) {
-    const JsonItem root = document.root();
-    if (root.find("scenes") || root.find("scene"))
-        return indices(document.item("scenes", root.countOr("scene", 0), root), "nodes");
+/// Which nodes another one has for a child.
+std::vector<bool> children(const JsonItem& root, std::size_t nodes) {
     std::vector<bool> isChild(nodes, false);
     for (const JsonItem node : root.list("nodes"))
-        for (const std::size_t child : indices(node, "children"))
-            if (child < nodes) isChild[child] = true;
-    std::vector<std::size_t> roots;
-    for (std::size_t i = 0; i < nodes; ++i)
-        if (!isChild[i]) roots.push_back(i);
-    return roots;
+        if (const JsonList list = node.list("children"); !list.empty())
+            for (std::size_t i = 0; i < list.size(); ++i)
+                if (const std::size_t child = list.countAt(i); child < nodes) isChild[child] = true;
+    return isChild;
 }
 
 std::string nameOf(const GltfDocument& document, const JsonItem& node, const char* array,
@@ -67,9 +58,10 @@ std::string nameOf(const GltfDocument& document, const JsonItem& node, const cha
 }  // namespace
 
 GltfPlacements placementsOf(const GltfDocument& document, Notes& notes) {
+    constexpr std::size_t kWorld = static_cast<std::size_t>(-1);
     struct Pending {
         std::size_t node;
-        glm::dmat4 worldFromParent;
+        std::size_t parent;  // in `matrices`, or kWorld
     };
     GltfPlacements placements;
     const JsonItem root = document.root();
@@ -77,34 +69,60 @@ GltfPlacements placementsOf(const GltfDocument& document, Notes& notes) {
     const std::size_t nodes = all ? all->size() : 0;
     std::vector<bool> reached(nodes, false);
     std::vector<Pending> pending;
-    const auto push = [&](const std::vector<std::size_t>& some, const glm::dmat4& matrix) {
-        for (auto i = some.rbegin(); i != some.rend(); ++i) pending.push_back({*i, matrix});
+    std::vector<glm::dmat4> matrices;  // world from node, of nodes with children
+    // Each node is noted once, so that lists of millions of children take no memory.
+    const auto push = [&](const JsonItem& owner, const JsonList& list, std::size_t parent) {
+        for (std::size_t i = list.size(); i-- > 0;) {
+            const std::size_t node = list.countAt(i);
+            if (node >= nodes)
+                owner.fail(fmt::format("refers to nodes[{}]; there are {}", node, nodes));
+            if (reached[node])
+                document.item("nodes", node, root).fail("reached twice; nodes must form trees");
+            reached[node] = true;
+            pending.push_back({node, parent});
+        }
     };
-    push(rootNodes(document, nodes), glm::dmat4(1.0));
+    if (root.find("scenes") || root.find("scene")) {
+        const JsonItem scene = document.item("scenes", root.countOr("scene", 0), root);
+        push(scene, scene.list("nodes"), kWorld);
+    } else {
+        const std::vector<bool> isChild = children(root, nodes);
+        for (std::size_t i = nodes; i-- > 0;)
+            if (!isChild[i]) {
+                reached[i] = true;
+                pending.push_back({i, kWorld});
+            }
+    }
 
     while (!pending.empty()) {
         const Pending next = pending.back();
         pending.pop_back();
-        const JsonItem node = document.item("nodes", next.node, root);
-        if (reached[next.node]) node.fail("reached twice; nodes must form trees");
-        reached[next.node] = true;
-        const glm::dmat4 matrix = next.worldFromParent * localTransform(node);
+        const JsonItem node = (*all)[next.node];
+        const glm::dmat4 matrix =
+            (next.parent == kWorld ? glm::dmat4(1.0) : matrices[next.parent]) *
+            localTransform(node);
         for (int column = 0; column < 4; ++column)
             if (!(glm::length(matrix[column]) < 1e15))  // beyond all that finishedMesh() accepts
                 node.fail("its transformation is too large");
-        if (const std::optional<JsonItem> mesh = node.find("mesh"))
-            placements.meshes.push_back({mesh->count(),
-                                         nameOf(document, node, "meshes", mesh->count()), matrix,
-                                         node.where()});
-        if (const std::optional<JsonItem> camera = node.find("camera"))
-            placements.cameras.push_back({camera->count(),
-                                          nameOf(document, node, "cameras", camera->count()),
-                                          matrix, node.where()});
+        const auto place = [&](const char* member, const char* array,
+                               std::deque<GltfPlaced>& placed) {
+            const std::optional<JsonItem> index = node.find(member);
+            if (!index) return;
+            if (placed.size() >= kMostPlaced)
+                root.fail(fmt::format("more than {} nodes with a {}", kMostPlaced, member));
+            placed.push_back(
+                {index->count(), nameOf(document, node, array, index->count()), matrix, next.node});
+        };
+        place("mesh", "meshes", placements.meshes);
+        place("camera", "cameras", placements.cameras);
         if (const std::optional<JsonItem> extensions = node.find("extensions");
             extensions && extensions->find("EXT_mesh_gpu_instancing"))
             notes.add("instances of EXT_mesh_gpu_instancing are not rendered",
                       node.textOr("name", ""));
-        push(indices(node, "children"), matrix);
+        if (const JsonList list = node.list("children"); !list.empty()) {
+            matrices.push_back(matrix);
+            push(node, list, matrices.size() - 1);
+        }
     }
     return placements;
 }

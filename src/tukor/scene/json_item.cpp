@@ -11,22 +11,28 @@ namespace tukor {
 
 namespace {
 
-constexpr int kDeepest = 64;                    // extras and extensions nest; ten levels are many
-constexpr std::size_t kMostValues = 2'000'000;  // at 16 bytes and up
+constexpr int kDeepest = 64;                // extras and extensions nest; ten levels are many
+constexpr std::size_t kMostMegabytes = 64;  // taken by values, beside the text of strings
+
+// What the parser allocates for each kind of value: an array grows by doubling, a member is a node
+// of a tree.
+constexpr std::size_t kElementBytes = 32, kStringBytes = 48, kArrayBytes = 48, kObjectBytes = 64,
+                      kMemberBytes = 48;  // and the string of its key
 
 // Bounds what the parser will allocate, before it does.
 void checkSize(std::string_view name, std::string_view text) {
     int depth = 0;
-    std::size_t values = 0;
+    std::size_t bytes = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         switch (text[i]) {
             case '"':
+                bytes += kStringBytes;
                 for (++i; i < text.size() && text[i] != '"'; ++i)
                     if (text[i] == '\\') ++i;
                 break;
             case '[':
             case '{':
-                ++values;
+                bytes += text[i] == '[' ? kArrayBytes : kObjectBytes;
                 if (++depth > kDeepest)
                     throw Error(
                         fmt::format("{}: JSON nested deeper than {} levels", name, kDeepest));
@@ -36,13 +42,17 @@ void checkSize(std::string_view name, std::string_view text) {
                 --depth;
                 break;
             case ',':
-                ++values;
+                bytes += kElementBytes;
+                break;
+            case ':':
+                bytes += kMemberBytes;
                 break;
             default:
                 break;
         }
-        if (values > kMostValues)
-            throw Error(fmt::format("{}: JSON of more than {} values", name, kMostValues));
+        if (bytes > kMostMegabytes << 20)
+            throw Error(
+                fmt::format("{}: JSON of values that take more than {} MB", name, kMostMegabytes));
     }
 }
 
@@ -122,6 +132,15 @@ std::size_t JsonItem::size() const {
 JsonItem JsonItem::operator[](std::size_t index) const {
     if (index >= size()) fail(fmt::format("element {} of {}", index, size()));
     return child((*value_)[index], nullptr, index);
+}
+
+std::size_t JsonItem::countAt(std::size_t index) const {
+    if (index < size())
+        if (const auto* number =
+                (*value_)[index].get_ptr<const nlohmann::json::number_unsigned_t*>();
+            number != nullptr && *number < std::size_t{1} << 53)
+            return *number;
+    return (*this)[index].count();  // or what is wrong with it
 }
 
 JsonList JsonItem::list(const char* name) const {

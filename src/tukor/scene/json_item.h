@@ -15,7 +15,7 @@
 namespace tukor {
 
 /// Parses a whole document. Throws Error, opened by `name`, where it is not JSON, nests deeper than
-/// 64 levels, or holds more than two million values.
+/// 64 levels, or its values would take more than 64 MB beside the text of its strings.
 [[nodiscard]] nlohmann::json parseJson(std::string_view name, std::span<const std::byte> text);
 
 class JsonList;
@@ -41,6 +41,8 @@ public:
     /// Of an array.
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] JsonItem operator[](std::size_t index) const;
+    /// (*this)[index].count(), of millions.
+    [[nodiscard]] std::size_t countAt(std::size_t index) const;
     /// The elements of an array member; none where it is absent.
     [[nodiscard]] JsonList list(const char* name) const;
 
@@ -111,6 +113,7 @@ public:
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
     [[nodiscard]] JsonItem operator[](std::size_t index) const { return (*array_)[index]; }
+    [[nodiscard]] std::size_t countAt(std::size_t index) const { return array_->countAt(index); }
     [[nodiscard]] Iterator begin() const { return {this, 0}; }
     [[nodiscard]] Iterator end() const { return {this, size_}; }
 

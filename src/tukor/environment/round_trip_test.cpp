@@ -1,0 +1,163 @@
+// Through every layout, file type and texel format and back: what is lost is the format's
+// precision.
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tukor/environment/environment_work.h"
+#include "tukor/environment/texture_chain.h"
+
+namespace tukor {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file type with its options, and how far a value v of up to `most` may be from what was saved.
+struct Format {
+    const char* extension;
+    SaveOptions picture;
+    TextureOptions texture;
+    float relative;  // of v
+    float ofMost;    // of the largest component
+    float absolute;
+    const char* name;
+
+    [[nodiscard]] bool isTexture() const {
+        return hasTextureExtension(std::string("a") + extension);
+    }
+    friend void PrintTo(const Format& format, std::ostream* out) { *out << format.name; }
+};
+
+std::vector<Format> formats() {
+    std::vector<Format> all;
+    const auto picture = [&](const char* extension, SaveOptions options, float relative,
+                             float ofMost, float absolute, const char* name) {
+        all.push_back({extension, std::move(options), {}, relative, ofMost, absolute, name});
+    };
+    picture(".exr", {}, 0.0f, 0.0f, 0.0f, "ExrFull");
+    SaveOptions half;
+    half.exrPixels = ExrPixels::half;
+    picture(".exr", half, 1.0f / 2048, 0.0f, 0.0f, "ExrHalf");
+    picture(".hdr", {}, 0.0f, 1.0f / 128, 0.0f, "Hdr");  // truncated to 8 bits of the largest
+    picture(".png", {}, 0.0f, 0.0f, 0.0051f, "Png8");    // half a code where sRGB is steepest
+    SaveOptions deep;
+    deep.pngDepth = PngDepth::bits16;
+    picture(".png", deep, 0.0f, 0.0f, 2.5e-5f, "Png16");
+    SaveOptions fine;
+    fine.jpegQuality = 100;
+    picture(".jpg", fine, 0.0f, 0.0f, 0.03f, "Jpeg");  // chroma at half the resolution
+    const std::pair<TexelFormat, std::array<float, 3>> texels[] = {
+        {TexelFormat::rgba32f, {0.0f, 0.0f, 0.0f}},
+        {TexelFormat::rgba16f, {1.0f / 2048, 0.0f, 0.0f}},
+        {TexelFormat::rgb9e5, {0.0f, 1.0f / 512, 0.0f}},
+        {TexelFormat::r11g11b10f, {1.0f / 64, 0.0f, 0.0f}},
+        {TexelFormat::rgba8, {0.0f, 0.0f, 0.0051f}}};
+    constexpr const char* kNames[][5] = {
+        {"DdsFloat", "DdsHalf", "DdsRgb9e5", "DdsR11", "DdsRgba8"},
+        {"KtxFloat", "KtxHalf", "KtxRgb9e5", "KtxR11", "KtxRgba8"},
+        {"Ktx2Float", "Ktx2Half", "Ktx2Rgb9e5", "Ktx2R11", "Ktx2Rgba8"},
+        {"Ktx2ZstdFloat", "Ktx2ZstdHalf", "Ktx2ZstdRgb9e5", "Ktx2ZstdR11", "Ktx2ZstdRgba8"}};
+    for (std::size_t file = 0; file < 4; ++file)
+        for (std::size_t i = 0; i < 5; ++i) {
+            const auto& [format, errors] = texels[i];
+            all.push_back({std::array{".dds", ".ktx", ".ktx2", ".ktx2"}[file],
+                           {},
+                           {format, file == 3 ? Supercompression::zstd : Supercompression::none},
+                           errors[0],
+                           errors[1],
+                           errors[2],
+                           kNames[file][i]});
+        }
+    return all;
+}
+
+/// Smooth, and in [0.1, 0.9] so that PNG and JPEG hold it too.
+CubeMap landscape(int faceSize) {
+    CubeMap cube(faceSize);
+    for (const CubeFace face : kCubeFaces)
+        for (int i = 0; i < faceSize * faceSize; ++i) {
+            const glm::vec3 d = glm::normalize(directionFromCube(
+                {face, (2.0f * static_cast<float>(i % faceSize) + 1) / float(faceSize) - 1,
+                 (2.0f * static_cast<float>(i / faceSize) + 1) / float(faceSize) - 1}));
+            cube.texels(face)[static_cast<std::size_t>(i)] =
+                0.5f + 0.2f * d + 0.2f * glm::vec3(d.y * d.z, d.z * d.x, d.x * d.y);
+        }
+    return cube;
+}
+
+class RoundTrip : public testing::TestWithParam<Format> {
+protected:
+    RoundTrip()
+        : folder_(fs::temp_directory_path() / fmt::format("tukor_round_trip_{}", GetParam().name)) {
+        fs::create_directories(folder_);
+    }
+    ~RoundTrip() override { fs::remove_all(folder_); }
+
+    /// Saves the cube in a layout, loads it, and compares texel by texel.
+    void expectBack(const CubeMap& cube, PictureForm form, std::optional<int> size, float blur) {
+        const Format& format = GetParam();
+        const bool faces = form == PictureForm::faces && !format.isTexture();
+        const std::string path =
+            (folder_ / fmt::format("a{}{}", faces ? "_{}" : "", format.extension)).string();
+        WorkSource source;
+        source.cube = cube;
+        saveWork(path, source, form, size, format.picture, format.texture);
+        WorkSource back =
+            loadWorkSource(path, format.isTexture() ? std::optional<PictureForm>() : form);
+        EXPECT_TRUE(back.warnings.empty());
+        if (!back.cube) {
+            const std::string again = (folder_ / "again_{}.exr").string();
+            saveWork(again, back, PictureForm::faces, cube.faceSize(), {});
+            back = loadWorkSource(again, PictureForm::faces);
+        }
+        ASSERT_EQ(back.cube->faceSize(), cube.faceSize());
+        for (const CubeFace face : kCubeFaces)
+            for (std::size_t i = 0; i < cube.texels(face).size(); ++i) {
+                const glm::vec3 was = cube.texels(face)[i], is = back.cube->texels(face)[i];
+                const float most = std::max({was.x, was.y, was.z});
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(
+                        is[c], was[c],
+                        format.relative * was[c] + format.ofMost * most + format.absolute + blur)
+                        << "form " << int(form) << " face " << int(face) << " texel " << i;
+            }
+    }
+
+    fs::path folder_;
+};
+
+TEST_P(RoundTrip, BringsEveryLayoutBack) {
+    const CubeMap cube = landscape(32);
+    if (GetParam().isTexture()) return expectBack(cube, PictureForm::faces, std::nullopt, 0.0f);
+    for (const PictureForm form : {PictureForm::faces, PictureForm::hcross, PictureForm::vcross,
+                                   PictureForm::hstrip, PictureForm::vstrip})
+        expectBack(cube, form, std::nullopt, 0.0f);
+    // These are resampled, there and back: a quarter of a texel (1 / 64 of a radian) of linear
+    // interpolation where the landscape changes by at most 0.6 a radian.
+    expectBack(cube, PictureForm::equirect, 128, 0.01f);
+    expectBack(cube, PictureForm::octahedral, 64, 0.02f);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryFormat, RoundTrip, testing::ValuesIn(formats()),
+                         [](const auto& format) { return std::string(format.param.name); });
+
+TEST(RoundTripBall, BringsAllBackButWhatTheBallHides) {
+    const fs::path path = fs::temp_directory_path() / "tukor_round_trip_ball.exr";
+    WorkSource source;
+    source.cube = landscape(32);
+    saveWork(path.string(), source, PictureForm::ball, 512, {});
+    const WorkSource back = loadWorkSource(path.string(), PictureForm::ball);
+    for (int i = 0; i < 200; ++i) {
+        const float y = 0.99f - 0.0099f * static_cast<float>(i), phi = 2.4f * static_cast<float>(i);
+        const float across = std::sqrt(1 - y * y);
+        const glm::vec3 d(across * std::cos(phi), y, across * std::sin(phi));
+        if (d.z < -0.95f) continue;  // behind the ball: at its rim a pixel spans degrees
+        EXPECT_LT(glm::length(back.cube->radiance(d) - source.cube->radiance(d)), 0.01f) << i;
+    }
+    fs::remove(path);
+}
+
+}  // namespace
+}  // namespace tukor

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""Files of `tukor environment convert` in the hands of other programs: OpenImageIO, Blender, Filament's cmgen.
+
+usage: other_tools_test.py TUKOR
+needs: openimageio-tools, blender, libfilament-tools
+"""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+TUKOR = sys.argv[1]
+
+
+def run(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def close(found, expected, relative, what):
+    assert len(found) == len(expected) and all(abs(a - b) <= relative * abs(b) for a, b in zip(found, expected)), \
+        f"{what}: {found}; expected {expected}"
+
+
+def channel_means(path):
+    """As OpenImageIO reads it."""
+    stats = run("oiiotool", "--stats", path)
+    line = re.search(r"Stats Avg: ([^\n(]*)", stats)
+    assert line, stats
+    return [float(word) for word in line.group(1).split()[:3]]
+
+
+def test_openimageio(folder):
+    """The same mean out of every file type that it reads."""
+    run(TUKOR, "environment", "convert", "sky", "-o", f"{folder}/a.exr", "--size", "256")
+    expected = channel_means(f"{folder}/a.exr")
+    for name, more, error in [("half.exr", ["--exr-pixels", "half"], 1e-3), ("a.hdr", [], 8e-3)]:
+        run(TUKOR, "environment", "convert", f"{folder}/a.exr", "-o", f"{folder}/{name}", *more)
+        close(channel_means(f"{folder}/{name}"), expected, error, name)
+    for name in ("a.png", "a.jpg"):
+        run(TUKOR, "environment", "convert", f"{folder}/a.exr", "-o", f"{folder}/{name}")
+        assert "256 x  128, 3 channel" in run("oiiotool", "--info", f"{folder}/{name}"), name
+
+
+def test_blender(folder):
+    """`--to blender`: what looks along -Z here, Blender sees along +Y (its axes are turned upright)."""
+    # A panorama with one bright place, in the middle: -Z.
+    with open(f"{folder}/spot.ppm", "wb") as file:
+        pixels = bytearray(b"\x10\x10\x10" * 64 * 32)
+        for row in range(14, 18):
+            for column in range(30, 34):
+                at = 3 * (64 * row + column)
+                pixels[at:at + 3] = b"\xff\xff\xff"
+        file.write(b"P6 64 32 255\n" + pixels)
+    run("oiiotool", f"{folder}/spot.ppm", "-o", f"{folder}/spot.png")
+    run(TUKOR, "environment", "convert", f"{folder}/spot.png", "-o", f"{folder}/spot.exr", "--to", "blender")
+    with open(f"{folder}/look.py", "w", encoding="utf-8") as file:
+        file.write(f"""
+import bpy, math
+scene = bpy.context.scene
+scene.render.engine = 'CYCLES'
+scene.cycles.samples = 1
+scene.cycles.use_denoising = False
+scene.cycles.device = 'CPU'
+scene.view_settings.view_transform = 'Standard'
+scene.render.resolution_x = scene.render.resolution_y = 8
+for item in list(bpy.data.objects):
+    bpy.data.objects.remove(item)
+world = bpy.data.worlds.new('w')
+scene.world = world
+world.use_nodes = True
+node = world.node_tree.nodes.new('ShaderNodeTexEnvironment')
+node.image = bpy.data.images.load('{folder}/spot.exr')
+world.node_tree.links.new(node.outputs[0], world.node_tree.nodes['Background'].inputs[0])
+camera = bpy.data.objects.new('c', bpy.data.cameras.new('c'))
+camera.data.angle = math.radians(10)
+scene.collection.objects.link(camera)
+scene.camera = camera
+scene.render.image_settings.file_format = 'OPEN_EXR'
+# A glTF camera that looks along -Z looks along Blender's +Y.
+for name, turn in [('front', 0), ('left', 90), ('back', 180), ('right', 270)]:
+    camera.rotation_euler = (math.radians(90), 0, math.radians(turn))
+    scene.render.filepath = '{folder}/' + name + '.exr'
+    bpy.ops.render.render(write_still=True)
+""")
+    run("blender", "-b", "--factory-startup", "-noaudio", "-P", f"{folder}/look.py")
+    seen = {name: channel_means(f"{folder}/{name}.exr")[0] for name in ("front", "left", "back", "right")}
+    assert seen["front"] > 0.9 and max(seen[name] for name in ("left", "back", "right")) < 0.1, seen
+
+
+def test_cmgen(folder):
+    """Filament's tool finds the same light in our panorama and in our cross."""
+    run(TUKOR, "environment", "convert", "studio", "-o", f"{folder}/studio.hdr", "--size", "512")
+    run(TUKOR, "environment", "convert", f"{folder}/studio.hdr", "-o", f"{folder}/cross.hdr", "--layout", "hcross",
+        "--size", "256")
+
+    def harmonics(path):
+        run("cmgen", "-q", "--no-mirror", "--sh=1", f"--sh-output={folder}/sh.txt", path)
+        with open(f"{folder}/sh.txt", encoding="utf-8") as file:
+            return [float(word) for word in re.search(r"\(([^)]*)\)", file.readline()).group(1).split(",")]
+
+    close(harmonics(f"{folder}/cross.hdr"), harmonics(f"{folder}/studio.hdr"), 0.01, "mean radiance by cmgen")
+
+
+def main():
+    for test in (test_openimageio, test_blender, test_cmgen):
+        with tempfile.TemporaryDirectory() as folder:
+            test(folder)
+            print(f"{test.__name__}: passed")
+
+
+main()
