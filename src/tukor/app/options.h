@@ -48,6 +48,8 @@ enum class Renderer { gl, trace };
 struct SubjectOptions {
     std::vector<std::string> models;     // files and built-in shapes
     std::vector<std::string> materials;  // NAME or PATTERN=NAME, later ones win
+    std::string variant;                 // of the model's own looks; empty: its own choice
+    std::optional<float> timeSeconds;    // of the model's animation; none: at rest
 
     friend bool operator==(const SubjectOptions&, const SubjectOptions&) = default;
 };
@@ -138,6 +140,9 @@ void describe(Options& o, Visitor&& field) {
           "material of everything, or of the parts whose mesh or material name matches PATTERN (* "
           "and ? as in a shell); may be repeated, later ones win. NAME as in `tukor materials`, or "
           "figures: ior:1.2, metal:0.21,0.485,1.29/3.13,2.23,1.76, mirror:0.9,0.8,0.7");
+    field("variant", o.variant, Placeholder{"NAME"}, "one of the looks that a glTF model offers");
+    field("time-seconds", o.timeSeconds, Measure<float>{"S", {0.0f, 1e6f}},
+          "a moment of a glTF model's first animation; without it the model stands at rest");
 }
 
 template <OptionsOf<LightOptions> Options, class Visitor>

@@ -15,11 +15,15 @@
 namespace tukor {
 namespace {
 
-Scene loadModels(const std::vector<std::string>& models) {
+Scene loadModels(const SubjectOptions& subject) {
+    const std::vector<std::string>& models = subject.models;
     if (models.empty()) throw Error("no model; a file or a built-in shape expected");
     Scene scene;
     for (const std::string& model : models) {
-        append(scene, loadModel(model));
+        ModelOptions options;
+        options.variant = subject.variant;
+        if (subject.timeSeconds) options.timeSeconds = *subject.timeSeconds;
+        append(scene, loadModel(model, options));
     }
     return scene;
 }
@@ -96,11 +100,13 @@ void Session::apply(const SessionOptions& options) {
     std::optional<Scene> scene;
     std::optional<Environment> environment;
     std::vector<Material> own = ownMaterials_;
-    const bool modelsChange = first || options.subject.models != options_.subject.models;
+    const bool modelsChange = first || options.subject.models != options_.subject.models ||
+                              options.subject.variant != options_.subject.variant ||
+                              options.subject.timeSeconds != options_.subject.timeSeconds;
     const bool materialsChange =
         modelsChange || options.subject.materials != options_.subject.materials;
     if (modelsChange) {
-        scene = loadModels(options.subject.models);
+        scene = loadModels(options.subject);
         own = materialsOf(*scene);
     }
     if (first || options.light.environment != options_.light.environment ||

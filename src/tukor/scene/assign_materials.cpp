@@ -87,6 +87,7 @@ void append(Scene& scene, Scene added) {
     };
     move(scene.parts, added.parts);
     move(scene.cameras, added.cameras);
+    move(scene.lights, added.lights);
     move(scene.warnings, added.warnings);
 }
 

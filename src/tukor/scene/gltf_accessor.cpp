@@ -172,8 +172,10 @@ void GltfAccessor::requireIndices() const {
 
 void GltfAccessor::requireComponents(int least, int most) const {
     if (components_ < least || components_ > most)
-        item_.fail(least == most ? fmt::format("expected type VEC{}", least)
-                                 : fmt::format("expected type VEC{} or VEC{}", least, most));
+        item_.fail(least == 1      ? std::string("expected type SCALAR")
+                   : least == 16   ? std::string("expected type MAT4")
+                   : least == most ? fmt::format("expected type VEC{}", least)
+                                   : fmt::format("expected type VEC{} or VEC{}", least, most));
 }
 
 std::uint32_t GltfAccessor::index(std::size_t element) const noexcept {
@@ -199,6 +201,17 @@ glm::vec4 GltfAccessor::vec4(std::size_t element) const noexcept {
         if (!std::isfinite(v[i])) v[i] = 0.0f;
     }
     return v;
+}
+
+glm::mat4 GltfAccessor::mat4(std::size_t element) const noexcept {
+    TUKOR_ASSERT(element < count_ && components_ == 16);
+    const std::byte* const from = find(element);
+    glm::mat4 m(1.0f);
+    for (int i = 0; i < 16; ++i) {
+        const float value = component(from, i, type_, normalized_);
+        m[i / 4][i % 4] = std::isfinite(value) ? value : 0.0f;
+    }
+    return m;
 }
 
 }  // namespace tukor

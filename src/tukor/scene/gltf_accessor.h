@@ -34,6 +34,9 @@ public:
     /// fourth. NaN and infinities become 0.
     [[nodiscard]] glm::vec4 vec4(std::size_t element) const noexcept;
 
+    /// Of sixteen components, by columns. NaN and infinities become 0.
+    [[nodiscard]] glm::mat4 mat4(std::size_t element) const noexcept;
+
 private:
     [[nodiscard]] const std::byte* find(std::size_t element) const noexcept;
     void readSparse(const GltfDocument& document, const JsonItem& sparse);

@@ -27,6 +27,8 @@ constexpr std::string_view kRead[] = {
     "KHR_materials_specular"sv,
     "KHR_materials_transmission"sv,
     "KHR_materials_unlit"sv,
+    "KHR_materials_variants"sv,
+    "KHR_lights_punctual"sv,
     "KHR_materials_volume"sv,
 };
 
@@ -42,8 +44,7 @@ bool contains(std::span<const std::string_view> names, std::string_view name) {
 
 // Changes how surfaces look and nothing else: the picture is poorer without, not wrong in shape.
 bool isAppearance(std::string_view name) {
-    return name.starts_with("KHR_materials_") || name == "KHR_lights_punctual" ||
-           name == "EXT_lights_image_based";
+    return name.starts_with("KHR_materials_") || name == "EXT_lights_image_based";
 }
 
 }  // namespace
@@ -57,14 +58,16 @@ void refuseUnknownExtensions(const JsonItem& root) {
     }
 }
 
-void noteFeatures(const JsonItem& root, Notes& notes) {
+void noteFeatures(const JsonItem& root, const ModelOptions& options, Notes& notes) {
     for (const JsonItem item : root.list("extensionsUsed")) {
         const std::string& name = item.text();
         if (!contains(kRead, name) && !contains(kHarmless, name))
             notes.add("extensions that are not rendered", name);
     }
-    if (!root.list("animations").empty()) notes.add("animations are not rendered");
-    if (!root.list("skins").empty()) notes.add("skins are not rendered; shapes stay as modelled");
+    const std::size_t animations = root.list("animations").size();
+    if (animations > 0 && !options.timeSeconds)
+        notes.add("it is animated and shown at rest; --time-seconds chooses a moment");
+    if (animations > 1 && options.timeSeconds) notes.add("of its animations the first is shown");
 }
 
 }  // namespace tukor

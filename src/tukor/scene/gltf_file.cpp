@@ -14,9 +14,11 @@
 #include "tukor/scene/finish_mesh.h"
 #include "tukor/scene/gltf_document.h"
 #include "tukor/scene/gltf_features.h"
+#include "tukor/scene/gltf_lights.h"
 #include "tukor/scene/gltf_material.h"
 #include "tukor/scene/gltf_nodes.h"
 #include "tukor/scene/gltf_primitive.h"
+#include "tukor/scene/gltf_variants.h"
 
 namespace tukor {
 
@@ -82,15 +84,21 @@ public:
         : document_(document), options_(options), textures_(document, notes_) {}
 
     Scene read() {
-        noteFeatures(document_.root(), notes_);
-        const GltfPlacements placements = placementsOf(document_, notes_);
+        noteFeatures(document_.root(), options_, notes_);
+        const GltfPose pose =
+            options_.timeSeconds ? poseAt(document_, *options_.timeSeconds) : GltfPose();
+        const GltfPlacements placements = placementsOf(document_, pose, notes_);
+        variant_ = variantOf(document_, options_.variant);
         checkTotal(document_, placements.meshes);
-        for (const GltfPlaced& placed : placements.meshes) addMesh(placed);
+        for (const GltfPlaced& placed : placements.meshes)
+            addMesh(placed, placements.worldFromNode);
         textures_.decode();
         if (scene_.parts.empty())
             throw Error(
                 fmt::format("{}: nothing to render: no triangles in its scene", document_.name()));
         for (const GltfPlaced& placed : placements.cameras) addCamera(placed);
+        for (const GltfPlaced& placed : placements.lights)
+            scene_.lights.push_back(readGltfLight(document_, placed));
         scene_.warnings = notes_.sentences();
         return std::move(scene_);
     }
@@ -102,11 +110,20 @@ private:
     };
     enum class Tint { none, colors };  // of the vertices
 
-    void addMesh(const GltfPlaced& placed) {
+    void addMesh(GltfPlaced placed, const std::vector<glm::dmat4>& worldFromNode) {
         const JsonItem mesh = document_.item("meshes", placed.index, document_.root());
         const std::string where = document_.item("nodes", placed.node, document_.root()).where();
+        GltfDeformation deformation{std::move(placed.weights), {}};
+        if (deformation.weights.empty())
+            for (const JsonItem weight : mesh.list("weights"))
+                deformation.weights.push_back(weight.number());
+        if (placed.skin) {
+            deformation.worldFromBind = jointsOf(
+                document_, document_.item("skins", *placed.skin, document_.root()), worldFromNode);
+            placed.worldFromNode = glm::dmat4(1.0);
+        }
         for (const JsonItem primitive : mesh.list("primitives")) {
-            Mesh triangles = readPrimitive(document_, primitive, placed.name, notes_);
+            Mesh triangles = readPrimitive(document_, primitive, deformation, placed.name, notes_);
             if (triangles.triangles.empty()) continue;
             triangles = finishedMesh(placedMesh(std::move(triangles), placed), options_.creaseAngle,
                                      where, placed.name, notes_);
@@ -121,7 +138,7 @@ private:
     }
 
     const Look& lookOf(const JsonItem& primitive, Tint tint) {
-        const std::optional<JsonItem> index = primitive.find("material");
+        const std::optional<JsonItem> index = materialOfVariant(primitive, variant_);
         const std::pair key(index ? index->count() : kNone, tint);
         auto known = looks_.find(key);
         if (known == looks_.end()) {
@@ -173,6 +190,7 @@ private:
     const ModelOptions& options_;
     Notes notes_;
     GltfTextures textures_;
+    std::optional<std::size_t> variant_;
     Scene scene_;
     std::map<std::pair<std::size_t, Tint>, Look> looks_;  // by material; kNone: none given
 };

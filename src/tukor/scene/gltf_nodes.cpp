@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostPlaced = 1 << 18;  // as many as parts are drawn
 
-glm::dmat4 localTransform(const JsonItem& node) {
+glm::dmat4 localTransform(const JsonItem& node, const GltfNodePose& pose) {
     if (const std::optional<std::array<double, 16>> m = node.numbers<16>("matrix")) {
         glm::dmat4 matrix;
         for (int column = 0; column < 4; ++column)
@@ -25,17 +25,30 @@ glm::dmat4 localTransform(const JsonItem& node) {
         return matrix;
     }
     glm::dmat4 matrix(1.0);
-    if (const auto t = node.numbers<3>("translation"))
+    if (pose.translation)
+        matrix = glm::translate(matrix, *pose.translation);
+    else if (const auto t = node.numbers<3>("translation"))
         matrix = glm::translate(matrix, glm::dvec3((*t)[0], (*t)[1], (*t)[2]));
-    if (const auto r = node.numbers<4>("rotation")) {
+    if (pose.rotation) {
+        matrix *= glm::mat4_cast(*pose.rotation);
+    } else if (const auto r = node.numbers<4>("rotation")) {
         const glm::dquat q((*r)[3], (*r)[0], (*r)[1], (*r)[2]);  // GLM's constructor has w first
         const double length = glm::length(q);
         if (!(length > 0.0 && std::isfinite(length))) node.fail("a rotation without a direction");
         matrix *= glm::mat4_cast(q / length);
     }
-    if (const auto s = node.numbers<3>("scale"))
+    if (pose.scale)
+        matrix = glm::scale(matrix, *pose.scale);
+    else if (const auto s = node.numbers<3>("scale"))
         matrix = glm::scale(matrix, glm::dvec3((*s)[0], (*s)[1], (*s)[2]));
     return matrix;
+}
+
+std::vector<double> weightsOf(const JsonItem& node, const GltfNodePose& pose) {
+    if (!pose.weights.empty()) return pose.weights;
+    std::vector<double> weights;
+    for (const JsonItem weight : node.list("weights")) weights.push_back(weight.number());
+    return weights;
 }
 
 /// Which nodes another one has for a child.
@@ -57,7 +70,7 @@ std::string nameOf(const GltfDocument& document, const JsonItem& node, const cha
 
 }  // namespace
 
-GltfPlacements placementsOf(const GltfDocument& document, Notes& notes) {
+GltfPlacements placementsOf(const GltfDocument& document, const GltfPose& pose, Notes& notes) {
     constexpr std::size_t kWorld = static_cast<std::size_t>(-1);
     struct Pending {
         std::size_t node;
@@ -68,6 +81,8 @@ GltfPlacements placementsOf(const GltfDocument& document, Notes& notes) {
     const std::optional<JsonItem> all = root.find("nodes");
     const std::size_t nodes = all ? all->size() : 0;
     std::vector<bool> reached(nodes, false);
+    if (root.find("skins")) placements.worldFromNode.assign(nodes, glm::dmat4(1.0));
+    const GltfNodePose still;
     std::vector<Pending> pending;
     std::vector<glm::dmat4> matrices;  // world from node, of nodes with children
     // Each node is noted once, so that lists of millions of children take no memory.
@@ -98,27 +113,38 @@ GltfPlacements placementsOf(const GltfDocument& document, Notes& notes) {
         const Pending next = pending.back();
         pending.pop_back();
         const JsonItem node = (*all)[next.node];
+        const auto posed = pose.find(next.node);
+        const GltfNodePose& moved = posed == pose.end() ? still : posed->second;
         const glm::dmat4 matrix =
             (next.parent == kWorld ? glm::dmat4(1.0) : matrices[next.parent]) *
-            localTransform(node);
+            localTransform(node, moved);
         for (int column = 0; column < 4; ++column)
             if (!(glm::length(matrix[column]) < 1e15))  // beyond all that finishedMesh() accepts
                 node.fail("its transformation is too large");
-        const auto place = [&](const char* member, const char* array,
-                               std::deque<GltfPlaced>& placed) {
-            const std::optional<JsonItem> index = node.find(member);
-            if (!index) return;
+        if (!placements.worldFromNode.empty()) placements.worldFromNode[next.node] = matrix;
+        const auto place = [&](std::deque<GltfPlaced>& placed, const char* what, std::size_t index,
+                               std::string name) -> GltfPlaced& {
             if (placed.size() >= kMostPlaced)
-                root.fail(fmt::format("more than {} nodes with a {}", kMostPlaced, member));
-            placed.push_back(
-                {index->count(), nameOf(document, node, array, index->count()), matrix, next.node});
+                root.fail(fmt::format("more than {} nodes with a {}", kMostPlaced, what));
+            return placed.emplace_back(GltfPlaced{index, std::move(name), matrix, next.node});
         };
-        place("mesh", "meshes", placements.meshes);
-        place("camera", "cameras", placements.cameras);
-        if (const std::optional<JsonItem> extensions = node.find("extensions");
-            extensions && extensions->find("EXT_mesh_gpu_instancing"))
-            notes.add("instances of EXT_mesh_gpu_instancing are not rendered",
+        if (const std::optional<JsonItem> mesh = node.find("mesh")) {
+            GltfPlaced& placed = place(placements.meshes, "mesh", mesh->count(),
+                                       nameOf(document, node, "meshes", mesh->count()));
+            if (const std::optional<JsonItem> skin = node.find("skin")) placed.skin = skin->count();
+            placed.weights = weightsOf(node, moved);
+        }
+        if (const std::optional<JsonItem> camera = node.find("camera"))
+            place(placements.cameras, "camera", camera->count(),
+                  nameOf(document, node, "cameras", camera->count()));
+        if (const std::optional<JsonItem> extensions = node.find("extensions")) {
+            if (extensions->find("EXT_mesh_gpu_instancing"))
+                notes.add("instances of EXT_mesh_gpu_instancing are not rendered",
+                          node.textOr("name", ""));
+            if (const std::optional<JsonItem> light = extensions->find("KHR_lights_punctual"))
+                place(placements.lights, "light", light->at("light").count(),
                       node.textOr("name", ""));
+        }
         if (const JsonList list = node.list("children"); !list.empty()) {
             matrices.push_back(matrix);
             push(node, list, matrices.size() - 1);

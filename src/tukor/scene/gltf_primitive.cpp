@@ -88,10 +88,6 @@ Mesh readDraco(const GltfDocument& document, const JsonItem& primitive, const Js
                         announced(document, primitive, "indices") / 3);
 }
 
-void noteRest(const JsonItem& primitive, std::string_view part, Notes& notes) {
-    if (!primitive.list("targets").empty()) notes.add("morph targets are not rendered", part);
-}
-
 // What textured surfaces need beside, of the vertices in use.
 void readDetails(const GltfDocument& document, const JsonItem& attributes, std::size_t vertices,
                  const std::vector<unsigned>& used, Mesh& mesh) {
@@ -121,8 +117,8 @@ std::uint64_t triangleCountOf(const GltfDocument& document, const JsonItem& prim
     return corners ? trianglesFrom(modeOf(primitive), corners->count()) : 0;
 }
 
-Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive, std::string_view part,
-                   Notes& notes) {
+Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive,
+                   const GltfDeformation& deformation, std::string_view part, Notes& notes) {
     Mesh mesh;
     const JsonItem attributes = primitive.at("attributes");
     const Mode mode = modeOf(primitive);
@@ -131,7 +127,8 @@ Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive, std:
         return mesh;
     }
     if (const std::optional<JsonItem> draco = dracoOf(primitive)) {
-        noteRest(primitive, part, notes);
+        if (!deformation.weights.empty() || !deformation.worldFromBind.empty())
+            notes.add("morph targets and skins of compressed meshes are not rendered", part);
         return readDraco(document, primitive, *draco);
     }
     const std::optional<GltfAccessor> positions = accessorAt(document, attributes, "POSITION");
@@ -169,7 +166,7 @@ Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive, std:
         for (std::size_t i = 0; i < used.size(); ++i) mesh.normals[i] = normals->vec3(used[i]);
     }
     readDetails(document, attributes, positions->count(), used, mesh);
-    noteRest(primitive, part, notes);
+    deform(document, primitive, deformation, used, mesh);
     return mesh;
 }
 

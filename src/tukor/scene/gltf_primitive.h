@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "tukor/geometry/mesh.h"
+#include "tukor/scene/gltf_deformation.h"
 #include "tukor/scene/gltf_document.h"
 #include "tukor/scene/notes.h"
 
@@ -13,8 +14,9 @@ namespace tukor {
                                             const JsonItem& primitive);
 
 /// Positions, normals if there are any, and triangles: only the vertices that are used. Indices are
-/// in range. `part` is the name for notes.
+/// in range. Moved by `deformation`. `part` is the name for notes.
 [[nodiscard]] Mesh readPrimitive(const GltfDocument& document, const JsonItem& primitive,
-                                 std::string_view part, Notes& notes);
+                                 const GltfDeformation& deformation, std::string_view part,
+                                 Notes& notes);
 
 }  // namespace tukor

@@ -7,6 +7,7 @@
 #include "tukor/geometry/mesh.h"
 #include "tukor/materials/material.h"
 #include "tukor/scene/camera.h"
+#include "tukor/scene/light.h"
 
 namespace tukor {
 
@@ -26,6 +27,7 @@ struct NamedCamera {
 struct Scene {
     std::vector<Part> parts;
     std::vector<NamedCamera> cameras;   // those of the model file, if any
+    std::vector<Light> lights;          // beside the environment
     std::vector<std::string> warnings;  // what is not rendered as the file asks, said once each
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tukor::trace {
 
@@ -35,36 +36,52 @@ RoughEvent::RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const R
       caster_(caster),
       environment_(environment),
       finishes_(scene),
+      lamps_(scene.lights),
       expectedSamples_(expectedSamples) {
     if (!finishes_.empty()) lights_ = std::make_unique<LightSampler>(environment);
 }
 
-glm::vec3 RoughEvent::visible(glm::vec3 origin, glm::vec3 direction, int skip) const noexcept {
+float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction,
+                          float distance) const noexcept {
     float left = 1.0f;
+    glm::vec3 origin = at.origin;
+    int skip = at.skip;
     for (int i = 0; i < kMostSheets; ++i) {
         const RayHit hit = caster_.cast(origin, direction, skip);
-        if (hit.surface < 0) return glm::vec3(left);
+        if (hit.surface < 0 || hit.distance > distance) return left;
         if (!concerns(hit)) break;
         const transport::SurfaceHit surface = surfaces_.at(hit);
         left *= finishes_.clearness(hit, surface);
         if (!(left > 0.0f)) break;
         origin = surface.position;
         skip = surface.triangle;
+        distance -= hit.distance;
     }
-    return glm::vec3(0.0f);
+    return 0.0f;
+}
+
+glm::vec3 RoughEvent::lamplight(const Layered& layers, const transport::Branch& at) const noexcept {
+    glm::vec3 sum(0.0f);
+    for (const Light& lamp : lamps_) {
+        const LightAt light = lightAt(lamp, at.origin);
+        const glm::vec3 L = layers.eval(light.wi).value * light.E;
+        if (transport::heaviness(L) > 0.0f) sum += L * visible(at, light.wi, light.distance);
+    }
+    return sum;
 }
 
 glm::vec3 RoughEvent::direct(const Layered& layers, const transport::Branch& at,
                              glm::vec2 u) const noexcept {
     if (at.media != 0u) return glm::vec3(0.0f);  // the way out of a solid is never straight
+    const glm::vec3 lamps = lamplight(layers, at);
     const LightDirection light = lights_->sample(u);
-    if (!(light.pdf > 0.0f)) return glm::vec3(0.0f);
+    if (!(light.pdf > 0.0f)) return lamps;
     const LobeValue lobes = layers.eval(light.direction);
-    if (!(transport::heaviness(lobes.value) > 0.0f)) return glm::vec3(0.0f);
-    const glm::vec3 seen = visible(at.origin, light.direction, at.skip);
-    if (!(transport::heaviness(seen) > 0.0f)) return glm::vec3(0.0f);
-    return lobes.value * seen * environment_.radiance(light.direction, 0.0f) *
-           (shareOf(light.pdf, lobes.pdf) / light.pdf);
+    if (!(transport::heaviness(lobes.value) > 0.0f)) return lamps;
+    const float seen = visible(at, light.direction, std::numeric_limits<float>::infinity());
+    if (!(seen > 0.0f)) return lamps;
+    return lamps + lobes.value * environment_.radiance(light.direction, 0.0f) *
+                       (seen * shareOf(light.pdf, lobes.pdf) / light.pdf);
 }
 
 glm::vec3 RoughEvent::escape(const transport::Branch& branch, float pdf) const noexcept {

@@ -37,7 +37,11 @@ public:
     [[nodiscard]] glm::vec3 escape(const transport::Branch& branch, float pdf) const noexcept;
 
 private:
-    [[nodiscard]] glm::vec3 visible(glm::vec3 origin, glm::vec3 direction, int skip) const noexcept;
+    /// The share of light that comes over `distance` from `direction`.
+    [[nodiscard]] float visible(const transport::Branch& at, glm::vec3 direction,
+                                float distance) const noexcept;
+    [[nodiscard]] glm::vec3 lamplight(const Layered& layers,
+                                      const transport::Branch& at) const noexcept;
     [[nodiscard]] glm::vec3 direct(const Layered& layers, const transport::Branch& at,
                                    glm::vec2 u) const noexcept;
 
@@ -45,6 +49,7 @@ private:
     const RayCaster& caster_;
     const EnvironmentMap& environment_;
     FinishTable finishes_;
+    std::vector<Light> lamps_;
     std::unique_ptr<LightSampler> lights_;  // none where no part has a finish
     float expectedSamples_;
 };

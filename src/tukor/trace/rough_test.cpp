@@ -121,5 +121,21 @@ TEST(RoughEvent, EmittedLightIsSeenAndLightsOthers) {
     EXPECT_GT(render(scene, dark, camera, small(64)).radiance.at(12, 12).x, 0.3f);
 }
 
+TEST(RoughEvent, LampsLightWhatTheySeeByTheirIrradiance) {
+    Finish matt;
+    matt.metallic = 0.0f;
+    matt.specular = 0.0f;
+    Scene scene = box(finished(matt));
+    Light sun;
+    sun.direction = {0, 0, -1};
+    sun.intensity = glm::vec3(3.1415927f);
+    scene.lights.push_back(sun);
+    const CubeMap dark = constantCube(0.0f);
+    EXPECT_NEAR(render(scene, dark, eyeAt({0, 0, 3}), small(16)).radiance.at(12, 12).y, 1.0f,
+                1e-3f);
+    scene.parts.push_back({"screen", "", finished(matt), boxMesh({-5, -5, 4}, {5, 5, 4.1f})});
+    EXPECT_EQ(render(scene, dark, eyeAt({0, 0, 3}), small(16)).radiance.at(12, 12).y, 0.0f);
+}
+
 }  // namespace
 }  // namespace tukor::trace
