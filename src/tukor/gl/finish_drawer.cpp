@@ -32,6 +32,24 @@ GLint wrapOf(Wrap wrap) {
     return GL_CLAMP_TO_EDGE;
 }
 
+constexpr std::size_t kMostLamps = 16;  // the brightest would be better; the first is what it takes
+
+/// Four vectors a lamp, in the axes of the environment, from the eye: place and kind, direction and
+/// range, intensity, cone.
+std::vector<glm::vec4> lampsOf(const FinishFrame& frame) {
+    std::vector<glm::vec4> lamps;
+    for (const Light& light : frame.lights) {
+        if (lamps.size() / 4 == kMostLamps) break;
+        const glm::mat3& turn = frame.environmentFromWorld;
+        lamps.emplace_back(turn * (light.position - frame.view.eye),
+                           static_cast<float>(light.kind));
+        lamps.emplace_back(turn * light.direction, light.range);
+        lamps.emplace_back(light.intensity * frame.emissionFactor, 0.0f);
+        lamps.emplace_back(light.cosInner, light.cosOuter, 0.0f, 0.0f);
+    }
+    return lamps;
+}
+
 }  // namespace
 
 const Program& FinishDrawer::programFor(const std::string& defines) {
@@ -90,6 +108,9 @@ void FinishDrawer::drawPart(const SurfaceBuffers& surfaces, int part, const Fini
     define("FILM", finish.iridescence > 0.0f);
     define("TRANSMISSIVE", finish.transmission > 0.0f);
 
+    std::vector<glm::vec4> lamps = lampsOf(frame);
+    if (!lamps.empty()) defines += fmt::format("#define LAMPS {}\n", lamps.size() / 4);
+
     std::vector<std::size_t> mapped;
     std::vector<glm::vec4> places(2 * kTextureRoles, glm::vec4(0.0f));
     for (std::size_t i = 0; i < kTextureRoles; ++i) {
@@ -115,6 +136,7 @@ void FinishDrawer::drawPart(const SurfaceBuffers& surfaces, int part, const Fini
         program.set(fmt::format("map{}", mapped[i]), unit);
     }
     program.set("places[0]", places);
+    if (!lamps.empty()) program.set("lamps[0]", lamps);
     program.set("clipFromWorld", frame.view.clipFromWorld);
     program.set("environmentFromWorld", frame.environmentFromWorld);
     program.set("eye", frame.view.eye);

@@ -23,6 +23,7 @@ struct FinishFrame {
     glm::vec2 footprintMiddle;
     std::string_view environmentDefine;
     float emissionFactor;  // from radiance to units of the frame
+    const std::vector<Light>& lights;
 };
 
 class FinishDrawer {

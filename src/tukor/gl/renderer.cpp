@@ -50,6 +50,7 @@ void bindTexture(int unit, const Texture& texture) {
 void Renderer::setScene(const Scene& scene, Preparation preparation) {
     bounds_ = boundsOf(scene);
     materials_.clear();
+    lights_ = scene.lights;
     for (const Part& part : scene.parts) materials_.push_back(part.material);
     surfaces_ = SurfaceBuffers(scene);
     finishes_.clear();
@@ -117,6 +118,15 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
 }
 
 std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {
+    const bool finished = std::all_of(materials_.begin(), materials_.end(),
+                                      [](const Material& m) { return m.finish != nullptr; });
+    std::vector<Look> looks = askedLooks(subject);
+    if (finished)  // nothing to trace through or by
+        for (Look& look : looks) look.fidelity = Fidelity::single;
+    return looks;
+}
+
+std::vector<Renderer::Look> Renderer::askedLooks(const Subject& subject) const {
     const RenderOptions& picture = subject.options.picture;
     const int width = subject.window.width;
     if (!subject.options.comparison) return {{picture.fidelity, picture.fresnel, 0, width}};
@@ -152,8 +162,12 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
         background_.draw(picture.background, view, turn, footprintMiddle, environment_);
     };
     const FinishFrame frame{
-        view, turn, footprintMiddle, environment_.define(),
-        1.0f / (environment_.scale() * std::max(picture.environmentIntensity, 1e-6f))};
+        view,
+        turn,
+        footprintMiddle,
+        environment_.define(),
+        1.0f / (environment_.scale() * std::max(picture.environmentIntensity, 1e-6f)),
+        lights_};
     const auto drawFinishes = [&](FinishDrawer::Pass pass) {
         finishes_.draw(surfaces_, materials_, pass, lightChain_, frame);
     };

@@ -120,6 +120,7 @@ private:
         int right;
     };
     [[nodiscard]] std::vector<Look> looksOf(const Subject& subject) const;
+    [[nodiscard]] std::vector<Look> askedLooks(const Subject& subject) const;
     void drawRasterised(const Subject& subject, const std::vector<Look>& looks, glm::vec2 point);
     void accumulate(const Look& look);
     void drawTraced(const Subject& subject, const Look& look);
@@ -128,6 +129,7 @@ private:
 
     Bounds bounds_;
     std::vector<Material> materials_;
+    std::vector<Light> lights_;
     SurfaceBuffers surfaces_;
     EnvironmentTexture environment_;
     FrameBuffers buffers_;
