@@ -36,7 +36,7 @@ function(tukor_embed_shaders target)
             OUTPUT ${output}
             COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/embed_shader.py
                     ${PROJECT_SOURCE_DIR}/src ${file} ${output} ${name} --depfile ${output}.d ${compact}
-            DEPENDS ${PROJECT_SOURCE_DIR}/tools/embed_shader.py ${root}/${file}
+            DEPENDS ${PROJECT_SOURCE_DIR}/tools/embed_shader.py ${PROJECT_SOURCE_DIR}/tools/compact_glsl.py ${root}/${file}
             DEPFILE ${output}.d
             COMMENT "Embedding ${file}")
         target_sources(${target} PRIVATE ${output})

@@ -51,9 +51,8 @@ endif()
 if(EMSCRIPTEN)
     # Everything a page fetches counts, so code is made small; hot loops ask for speed by themselves (tukor_hot).
     set(CMAKE_CXX_FLAGS_MINSIZEREL "-Oz -DNDEBUG")
-    # No run-time types, no locales, no 128-bit numbers: none is used, and each would bring its library along.
+    # No run-time types: none is used, and they would bring their names along.
     add_compile_options(-fwasm-exceptions -fno-rtti)
-    add_compile_definitions(FMT_STATIC_THOUSANDS_SEPARATOR=',' FMT_USE_LONG_DOUBLE=0 FMT_USE_FLOAT128=0)
     add_link_options(-fwasm-exceptions)
 endif()
 

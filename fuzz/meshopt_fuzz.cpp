@@ -3,6 +3,8 @@
 #include <span>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "tukor/base/error.h"
 #include "tukor/scene/gltf_meshopt.h"
 
@@ -12,10 +14,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     constexpr const char* kFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"};
     if (size < 4) return 0;
     // Mode and filter, stride, count; then the stream.
-    const nlohmann::json extension = {{"mode", kModes[data[0] % 3]},
-                                      {"filter", kFilters[data[0] / 3 % 4]},
-                                      {"byteStride", data[1]},
-                                      {"count", data[2] | data[3] << 8}};
+    const std::string text = fmt::format(
+        R"({{"mode": "{}", "filter": "{}", "byteStride": {}, "count": {}}})", kModes[data[0] % 3],
+        kFilters[data[0] / 3 % 4], data[1], data[2] | data[3] << 8);
+    const tukor::JsonDocument extension = tukor::parseJson(name, std::as_bytes(std::span(text)));
     try {
         (void)tukor::meshoptDecoded({extension, name},
                                     std::as_bytes(std::span(data, size)).subspan(4));

@@ -5,12 +5,15 @@ usage: embed_shader.py INCLUDE_ROOT INPUT OUTPUT NAME [--depfile FILE] [--raw]
 
 `#include "tukor/..."` is replaced by that file, once each. `#line` directives carry a number per file; the table of numbers and
 paths goes with the constant, so that a driver's `3:17` can be told as `tukor/optics/fresnel.h:17`. --raw writes plain GLSL (for
-glslangValidator) instead of C++; --compact leaves out comments and indentation, but no line.
+glslangValidator) instead of C++; --compact makes it small, see
+compact_glsl.py; drivers' errors then have no lines to name.
 """
 import argparse
 import pathlib
 import re
 import sys
+
+from compact_glsl import compacted
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 
@@ -47,18 +50,6 @@ def flatten(root, path, files, out):
                         "precision highp usampler2D;", "precision highp samplerCube;", f"#line {row + 1} {number}"]
 
 
-def compacted(text):
-    """The same lines without comments, indentation and spaces that mean nothing. Preprocessor lines keep their spaces."""
-    text = re.sub(r"/\*.*?\*/", lambda comment: "\n" * comment[0].count("\n"), text, flags=re.DOTALL)
-    lines = []
-    for line in text.splitlines():
-        line = re.sub(r"\s*//.*", "", line).strip()
-        if not line.startswith("#"):
-            line = re.sub(r"\s*([*/=<>?:;,(){}|])\s*", r"\1", line)
-        lines.append(line)
-    return "\n".join(lines) + "\n"
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("root", type=pathlib.Path)
@@ -71,10 +62,12 @@ def main():
     args = parser.parse_args()
     files, out = [], []
     flatten(args.root, args.input, files, out)
+    included = list(files)
     # GLSL ES 3.00 source is ASCII outside comments; drivers differ on comments, so make all of it ASCII.
     text = "\n".join(out).encode("ascii", "replace").decode() + "\n"
     if args.compact:
         text = compacted(text)
+        files = files[:1]
     if args.raw:
         args.output.write_text(text)
     else:
@@ -89,7 +82,7 @@ def main():
             f"extern const ShaderSource {args.name};\n"
             f"const ShaderSource {args.name} = {{{body},\n    {args.name}Files}};\n}}\n")
     if args.depfile:
-        deps = " ".join(str(located(args.root, f)) for f in files)
+        deps = " ".join(str(located(args.root, f)) for f in included)
         args.depfile.write_text(f"{args.output}: {deps}\n")
 
 

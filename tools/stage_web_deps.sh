@@ -8,8 +8,8 @@ set -euo pipefail
 prefix=$1
 [ -e "$prefix/done" ] && exit 0
 rm -rf "$prefix"
-mkdir -p "$prefix/include" "$prefix/lib/cmake/glm" "$prefix/lib/cmake/fmt" "$prefix/lib/cmake/nlohmann_json"
-cp -rL /usr/include/glm /usr/include/fmt /usr/include/nlohmann "$prefix/include/"
+mkdir -p "$prefix/include" "$prefix/lib/cmake/glm" "$prefix/lib/cmake/nlohmann_json"
+cp -rL /usr/include/glm /usr/include/nlohmann "$prefix/include/"
 
 package() {  # CMake package, target, definitions
     cat >"$prefix/lib/cmake/$1/$1Config.cmake" <<END
@@ -22,6 +22,5 @@ endif()
 END
 }
 package glm glm::glm ""
-package fmt fmt::fmt FMT_HEADER_ONLY
 package nlohmann_json nlohmann_json::nlohmann_json ""
 touch "$prefix/done"

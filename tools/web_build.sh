@@ -17,8 +17,7 @@ cd web
 if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
     npm ci --no-audit --no-fund --ignore-scripts --loglevel=error
 fi
-node_modules/.bin/esbuild src/tukor-view.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
-    --external:./tukor.js --outdir=dist --log-level=warning
-node_modules/.bin/esbuild ../build/web/apps/web/tukor.js --minify --format=esm --target=es2022 --outfile=dist/tukor.js \
-    --log-level=error --allow-overwrite
-cp ../build/web/apps/web/tukor.wasm src/tukor-view.d.ts dist/
+rm -rf dist
+node_modules/.bin/esbuild src/tukor-view.js src/tukor-worker.js src/tukor-extras.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
+    --outdir=dist --log-level=warning
+cp ../build/web/apps/web/{tukor,tukor-extras}.wasm src/tukor-view.d.ts dist/

@@ -11,7 +11,6 @@ function write() {
   const { theta, phi, radius } = view.getCameraOrbit();
   const { x, y, z } = view.getCameraTarget();
   const degrees = (radians) => `${+((radians * 180) / Math.PI).toFixed(2)}deg`;
-  view.parts; // the library is up when this is not empty
   const attributes = {
     src: view.src, environment: view.environment, material: materialAttribute() || null, fidelity: view.fidelity, exposure: view.exposure,
     "tone-map": view.toneMap, "environment-rotation": view.environmentRotation,
@@ -73,9 +72,9 @@ view.addEventListener("drop", (event) => {
 
 let pressed = null;
 view.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
-view.addEventListener("pointerup", (event) => {
+view.addEventListener("pointerup", async (event) => {
   if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
-  const part = view.partAtPoint(event.clientX, event.clientY);
+  const part = await view.partAtPoint(event.clientX, event.clientY);
   $("part").value = part ?? "";
   $("material").value = materials.get($("part").value) ?? "";
   $("notice").textContent = part ? `${part} is chosen` : "all parts are chosen";

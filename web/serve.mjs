@@ -19,7 +19,7 @@ export function serve(port, extra = {}) {
       "Content-Type": types[extname(path)] ?? (path.endsWith("/") ? types[".html"] : "application/octet-stream"),
       "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp", "Cache-Control": "no-cache",
       // The strictest policy that the element needs; see docs/web.md.
-      "Content-Security-Policy": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:",
+      "Content-Security-Policy": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:",
     };
     try {
       const file = path.startsWith("/photographs/") ? join(photographs, path.slice(13)) : join(root, path.endsWith("/") ? path + "index.html" : path);

@@ -2,9 +2,7 @@
 // has the sentence.
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <memory>
-#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +10,13 @@
 #include <emscripten/emscripten.h>
 #include <fmt/format.h>
 
+#include "answers.h"
+#include "scene_bytes.h"
 #include "tukor/base/error.h"
 #include "tukor/base/memory_file.h"
 #include "tukor/image/display.h"
 #include "tukor/image/radiance_file.h"
+#include "tukor/scene/gltf_file.h"
 #include "viewer.h"
 
 namespace {
@@ -24,37 +25,17 @@ using tukor::Error;
 using tukor::Image;
 using tukor::web::Viewer;
 
+using tukor::web::guarded;
+using tukor::web::jsonString;
+using tukor::web::kept;
+
 std::unique_ptr<Viewer> viewer;
-std::string lastError;
-std::string lastText;
 
-template <class Body>
-int guarded(const Body& body) {
-    try {
-        return body();
-    } catch (const std::bad_alloc&) {
-        lastError = "out of memory";
-    } catch (const std::exception& error) {
-        lastError = error.what();
-    }
-    return -1;
-}
-
-std::string jsonString(std::string_view text) {
-    std::string json = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') json += '\\';
-        if (static_cast<unsigned char>(c) < 0x20)
-            json += fmt::format("\\u{:04x}", static_cast<int>(c));
-        else
-            json += c;
-    }
-    return json + '"';
-}
-
-const char* kept(std::string text) {
-    lastText = std::move(text);
-    return lastText.c_str();
+Image pictureOf(int width, int height, const auto& pixelAt) {
+    Image picture(width, height);
+    std::size_t i = 0;
+    for (glm::vec3& pixel : picture.pixels()) pixel = pixelAt(i++);
+    return picture;
 }
 
 }  // namespace
@@ -62,7 +43,7 @@ const char* kept(std::string text) {
 extern "C" {
 
 EMSCRIPTEN_KEEPALIVE const char* tukor_error() {
-    return lastError.c_str();
+    return tukor::web::lastError.c_str();
 }
 
 EMSCRIPTEN_KEEPALIVE int tukor_start() {
@@ -88,16 +69,19 @@ EMSCRIPTEN_KEEPALIVE int tukor_add_file(const char* name, const std::byte* bytes
     });
 }
 
-/// A built-in shape where there are no bytes.
+/// A glTF or GLB file.
 EMSCRIPTEN_KEEPALIVE int tukor_set_model(const char* name, const std::byte* bytes, int size) {
     return guarded([&] {
-        std::string path = name;
-        if (size > 0) {
-            if (path.find('.') == path.npos) path += ".glb";  // the contents decide
-            tukor::giveMemoryFile(path, std::vector<std::byte>(bytes, bytes + size));
-        }
-        viewer->setModel(path);
+        viewer->setScene(tukor::loadGltf(name, {bytes, static_cast<std::size_t>(size)}));
         tukor::forgetMemoryFiles();
+        return 0;
+    });
+}
+
+/// What extras_model() made.
+EMSCRIPTEN_KEEPALIVE int tukor_set_scene(const std::byte* bytes, int size) {
+    return guarded([&] {
+        viewer->setScene(tukor::web::sceneFromBytes({bytes, static_cast<std::size_t>(size)}));
         return 0;
     });
 }
@@ -109,46 +93,45 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_materials(const char* specifications) {
     });
 }
 
-/// A built-in environment where there are no bytes, else a Radiance picture.
+/// A Radiance picture; the same for all pictures: 1 where it is no panorama, and
+/// extras_environment() is to be asked.
 EMSCRIPTEN_KEEPALIVE int tukor_set_environment(const char* name, const std::byte* bytes, int size) {
     return guarded([&] {
-        if (size == 0) {
-            viewer->setBuiltInEnvironment(name);
-            return 0;
-        }
         const std::span file(bytes, static_cast<std::size_t>(size));
         if (!tukor::isRadiance(file))
             throw Error(fmt::format("{}: not a picture: expected .hdr, .exr, .png or .jpg", name));
-        viewer->setEnvironment(name, tukor::decodeRadiance(file, name));
-        return 0;
+        return viewer->setPanorama(tukor::decodeRadiance(file, name)) ? 0 : 1;
     });
 }
 
 /// Three floats a pixel, linear.
-EMSCRIPTEN_KEEPALIVE int tukor_set_environment_radiance(const char* name, const float* radiance,
+EMSCRIPTEN_KEEPALIVE int tukor_set_environment_radiance(const char*, const float* radiance,
                                                         int width, int height) {
     return guarded([&] {
-        Image picture(width, height);
-        for (glm::vec3& pixel : picture.pixels()) {
-            pixel = glm::vec3(radiance[0], radiance[1], radiance[2]);
-            radiance += 3;
-        }
-        viewer->setEnvironment(name, std::move(picture));
-        return 0;
+        const auto pixel = [&](std::size_t i) {
+            return glm::vec3(radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2]);
+        };
+        return viewer->setPanorama(pictureOf(width, height, pixel)) ? 0 : 1;
     });
 }
 
 /// Four bytes a pixel, sRGB.
-EMSCRIPTEN_KEEPALIVE int tukor_set_environment_srgb(const char* name, const std::uint8_t* bytes,
+EMSCRIPTEN_KEEPALIVE int tukor_set_environment_srgb(const char*, const std::uint8_t* bytes,
                                                     int width, int height) {
     return guarded([&] {
-        Image picture(width, height);
         const auto& linear = tukor::linearFromSrgb8();
-        for (glm::vec3& pixel : picture.pixels()) {
-            pixel = glm::vec3(linear[bytes[0]], linear[bytes[1]], linear[bytes[2]]);
-            bytes += 4;
-        }
-        viewer->setEnvironment(name, std::move(picture));
+        const auto pixel = [&](std::size_t i) {
+            return glm::vec3(linear[bytes[4 * i]], linear[bytes[4 * i + 1]],
+                             linear[bytes[4 * i + 2]]);
+        };
+        return viewer->setPanorama(pictureOf(width, height, pixel)) ? 0 : 1;
+    });
+}
+
+/// What extras_environment() made: six faces of three floats a texel.
+EMSCRIPTEN_KEEPALIVE int tukor_set_environment_cube(const float* texels, int faceSize) {
+    return guarded([&] {
+        viewer->setCube(texels, faceSize);
         return 0;
     });
 }
@@ -162,6 +145,11 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_option(const char* name, const char* text) {
 
 EMSCRIPTEN_KEEPALIVE int tukor_set_light(float rotation, float intensity) {
     viewer->setLight(rotation, intensity);
+    return 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int tukor_set_max_depth(int depth) {
+    viewer->setMaxDepth(depth);
     return 0;
 }
 
@@ -190,11 +178,9 @@ EMSCRIPTEN_KEEPALIVE int tukor_restart() {
     return 0;
 }
 
-EMSCRIPTEN_KEEPALIVE int tukor_still_sample(int width, int height) {
-    return guarded([&] {
-        viewer->drawStill(width, height);
-        return 0;
-    });
+/// Samples in the picture so far.
+EMSCRIPTEN_KEEPALIVE int tukor_still_sample(int width, int height, int samples) {
+    return guarded([&] { return viewer->drawStill(width, height, samples); });
 }
 
 /// Address of the picture's bytes; see Viewer::stillPixels.
@@ -228,9 +214,6 @@ EMSCRIPTEN_KEEPALIVE const char* tukor_parts() {
 
 /// JSON array of sentences: what the files ask for and do not get.
 EMSCRIPTEN_KEEPALIVE const char* tukor_warnings() {
-    std::string json = "[";
-    for (const std::string& warning : viewer->warnings())
-        json += (json.size() > 1 ? "," : "") + jsonString(warning);
-    return kept(json + "]");
+    return kept(tukor::web::jsonArray(viewer->warnings()));
 }
 }

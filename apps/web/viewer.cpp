@@ -2,27 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <GLES3/gl3.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "tukor/app/option_text.h"
 #include "tukor/app/pick.h"
 #include "tukor/base/error.h"
-#include "tukor/environment/equirect.h"
-#include "tukor/geometry/shapes.h"
+#include "tukor/environment/repair.h"
 #include "tukor/gl/context.h"
 #include "tukor/image/display.h"
 #include "tukor/scene/assign_materials.h"
-#include "tukor/scene/model_file.h"
 
 namespace tukor::web {
 
 namespace {
 
-constexpr int kLargestFaceSize = 1024;  // 75 MB of texels, more than a phone's tab should be asked
+constexpr int kLargestPanorama =
+    4096;  // 64 MB of texels: more a phone's tab should not be asked for
+
+Image halved(const Image& picture) {
+    const int width = picture.width() / 2;
+    Image half(width, picture.height() / 2);
+    for (int row = 0; row < half.height(); ++row)
+        for (int column = 0; column < width; ++column)
+            half.at(column, row) =
+                0.25f *
+                (picture.at(2 * column, 2 * row) + picture.at(2 * column + 1, 2 * row) +
+                 picture.at(2 * column, 2 * row + 1) + picture.at(2 * column + 1, 2 * row + 1));
+    return half;
+}
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -47,13 +58,7 @@ Viewer::Viewer() {
     display_.tonemap = Tonemap::neutral;  // as in `tukor render`
 }
 
-void Viewer::setModel(const std::string& name) {
-    const auto shapes = shapeNames();
-    const bool file = name.find('.') != name.npos;
-    if (!file && std::find(shapes.begin(), shapes.end(), name) == shapes.end())
-        throw Error(fmt::format("{}: no such model; expected a file or one of {}", name,
-                                fmt::join(shapes, ", ")));
-    Scene scene = loadModel(name);
+void Viewer::setScene(Scene scene) {
     renderer_.setScene(scene);
     scene_ = std::move(scene);
     ownMaterials_.clear();
@@ -81,22 +86,26 @@ void Viewer::setMaterials(std::string_view specifications) {
     restart();
 }
 
-void Viewer::setBuiltInEnvironment(std::string_view name) {
-    std::optional<Environment> environment = builtInEnvironment(name);
-    if (!environment)
-        throw Error(fmt::format("{}: no such environment; built in are {}, anything else is a file",
-                                name, fmt::join(builtInEnvironmentNames(), ", ")));
-    useEnvironment(std::move(*environment));
+bool Viewer::setPanorama(Image picture) {
+    if (picture.width() != 2 * picture.height()) return false;
+    std::vector<std::string> warnings = describeRepairs(repairRadiance(picture));
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    while (picture.width() > std::min(largest, kLargestPanorama)) picture = halved(picture);
+    // Looked up as it is: no cube map is made that nobody would look at.
+    useEnvironment(
+        {"", CubeMap(1), std::move(warnings), std::make_shared<const Image>(std::move(picture))});
+    return true;
 }
 
-void Viewer::setEnvironment(const std::string& name, Image picture) {
-    EnvironmentOptions options;
-    if (picture.width() == 2 * picture.height() &&
-        faceSizeForEquirect(picture.width()) > kLargestFaceSize)
-        options.faceSize = kLargestFaceSize;
-    Environment environment = environmentFromPicture(name, std::move(picture), options);
-    environment.panorama = nullptr;
-    useEnvironment(std::move(environment));
+void Viewer::setCube(const float* texels, int faceSize) {
+    CubeMap cube(faceSize);
+    for (const CubeFace face : kCubeFaces)
+        for (glm::vec3& texel : cube.texels(face)) {
+            texel = glm::vec3(texels[0], texels[1], texels[2]);
+            texels += 3;
+        }
+    useEnvironment({"", std::move(cube), {}});
 }
 
 void Viewer::useEnvironment(Environment environment) {
@@ -138,8 +147,11 @@ int Viewer::drawFrame(int width, int height) {
     return renderer_.accumulatedSamples();
 }
 
-void Viewer::drawStill(int width, int height) {
-    renderer_.drawFrame(camera_, frameOptions(width, height));
+int Viewer::drawStill(int width, int height, int samples) {
+    gl::FrameOptions frame = frameOptions(width, height);
+    frame.picture.samples = samples;
+    renderer_.drawFrame(camera_, frame);
+    return renderer_.accumulatedSamples();
 }
 
 std::span<const std::uint8_t> Viewer::stillPixels() {

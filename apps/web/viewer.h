@@ -19,17 +19,20 @@ class Viewer {
 public:
     Viewer();
 
-    /// A built-in shape, or a file that giveMemoryFile() holds under this name.
-    void setModel(const std::string& name);
+    void setScene(Scene scene);
     /// `NAME` or `PATTERN=NAME`, separated by semicolons; all others get back their own.
     void setMaterials(std::string_view specifications);
-    void setBuiltInEnvironment(std::string_view name);
-    void setEnvironment(const std::string& name, Image picture);
+    /// False, and nothing done, when the picture is not twice as wide as high.
+    bool setPanorama(Image picture);
+    /// Three floats a texel, face after face as in CubeMap.
+    void setCube(const float* texels, int faceSize);
 
     /// `fidelity`, `fresnel`, `background` or `tone-map`, as `tukor render` spells their values.
     void setOption(std::string_view name, std::string_view text);
     /// Rotation in radians about +Y, factor on radiance.
     void setLight(float rotation, float intensity) noexcept;
+    /// Events along one branch of the light path, at fidelities that trace rays.
+    void setMaxDepth(int depth) noexcept { options_.maxDepth = depth; }
     void setExposure(float stops) noexcept { display_.exposureStops = stops; }
     void setCamera(const Camera& camera) noexcept { camera_ = camera; }
 
@@ -38,8 +41,9 @@ public:
     /// The picture anew from the next frame on.
     void restart() noexcept { renderer_.resetAccumulation(); }
 
-    /// One more frame of a picture of another size, which is not shown.
-    void drawStill(int width, int height);
+    /// One more frame of a picture of another size, which is not shown and is to have so many
+    /// samples a pixel. Returns those in it.
+    int drawStill(int width, int height, int samples);
     /// That picture as straight-alpha sRGB, four bytes a pixel from the top left; valid until the
     /// next call.
     [[nodiscard]] std::span<const std::uint8_t> stillPixels();

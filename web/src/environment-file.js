@@ -5,7 +5,7 @@
  * or `srgb` (four bytes a pixel).
  */
 export async function readEnvironment(name, bytes) {
-  if (startsWith(bytes, [0x76, 0x2f, 0x31, 0x01])) return readExr(bytes);
+  if (startsWith(bytes, [0x76, 0x2f, 0x31, 0x01])) return readExr(name, bytes);
   if (startsWith(bytes, [0x89, 0x50, 0x4e, 0x47]) || startsWith(bytes, [0xff, 0xd8])) return readPicture(name, bytes);
   return { bytes };
 }
@@ -25,9 +25,11 @@ async function readPicture(name, bytes) {
   return { srgb: new Uint8Array(context.getImageData(0, 0, width, height).data.buffer), width, height };
 }
 
-async function readExr(bytes) {
+async function readExr(name, bytes) {
   const { readExr: decode } = await import("./hdrify.js"); // 30 KB, fetched only for an .exr
-  const image = await decode(bytes);
+  const image = await decode(bytes).catch((error) => {
+    throw new Error(`${name}: ${error.message}`);
+  });
   const radiance = new Float32Array(3 * image.width * image.height);
   for (let i = 0, n = image.width * image.height; i < n; i++)
     for (let c = 0; c < 3; c++) radiance[3 * i + c] = image.data[4 * i + c];

@@ -8,7 +8,7 @@ export interface TukorViewEventMap {
   /** Something could not be loaded or understood; the picture before stays. */
   error: CustomEvent<{ message: string; sourceError: Error }>;
   "camera-change": CustomEvent<{ source: "user-interaction" | "none" }>;
-  /** A frame was drawn; `samples` are accumulated at rest. */
+  /** A frame was drawn; `samples` a pixel are accumulated at rest. */
   frame: CustomEvent<{ samples: number; moving: boolean }>;
 }
 
@@ -16,7 +16,7 @@ export interface StillOptions {
   /** Pixels; the size of the element unless given. */
   width?: number;
   height?: number;
-  /** Accumulated frames; 64 unless given. */
+  /** A pixel; 64 unless given. */
   samples?: number;
 }
 
@@ -36,6 +36,8 @@ export declare class TukorView extends HTMLElement {
   fidelity: string | null;
   /** exact or schlick. */
   fresnel: string | null;
+  /** Events along one branch of the light path, 1 to 64; 64 unless given. */
+  maxDepth: string | null;
   /** Stops. */
   exposure: string | null;
   /** none, reinhard, aces, agx or neutral. */
@@ -62,7 +64,8 @@ export declare class TukorView extends HTMLElement {
   getCameraOrbit(): { theta: number; phi: number; radius: number; toString(): string };
   getCameraTarget(): { x: number; y: number; z: number; toString(): string };
   dismissPoster(): void;
-  partAtPoint(clientX: number, clientY: number): string | null;
+  partAtPoint(clientX: number, clientY: number): Promise<string | null>;
+  warnings(): Promise<string[]>;
   render(options?: StillOptions): Promise<ImageData>;
   toBlob(options?: StillOptions & { mimeType?: string; qualityArgument?: number }): Promise<Blob>;
   toDataURL(mimeType?: string, qualityArgument?: number): Promise<string>;

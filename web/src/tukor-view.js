@@ -1,29 +1,16 @@
-// <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed by engine.js.
-import { Engine } from "./engine.js";
+// <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed behind link.js.
+import { Link } from "./link.js";
 import { OrbitCamera } from "./orbit-camera.js";
 import { listen, spokenView } from "./controls.js";
 import { angle, number, orbit, point } from "./units.js";
-import { readEnvironment } from "./environment-file.js";
+import { baseName, download, neighbours } from "./files.js";
+import { renderCommand } from "./command.js";
+import { styleSheet } from "./style.js";
 
 const REST_SAMPLES = 256; // frames accumulated at rest; the picture no longer changes visibly after that
 const AUTO_ROTATE = Math.PI / 16; // rad/s
+const STANDARD_FOV = (40 * Math.PI) / 180;
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
-
-const style = `
-:host { display: block; position: relative; width: 300px; height: 150px; contain: strict; }
-:host([hidden]) { display: none; }
-canvas { width: 100%; height: 100%; display: block; outline: none; touch-action: none; }
-:host(:not([camera-controls])) canvas { touch-action: auto; }
-canvas:focus-visible { outline: 3px solid #2f7cf6; outline-offset: -3px; }
-.poster { position: absolute; inset: 0; background: center / contain no-repeat; pointer-events: none; }
-.poster[hidden], .bar[hidden], .message[hidden] { display: none; }
-.bar { position: absolute; left: 0; bottom: 0; width: 100%; height: 4px; appearance: none; border: 0; background: #0003; }
-.bar::-webkit-progress-bar { background: transparent; }
-.bar::-webkit-progress-value { background: #2f7cf6; }
-.message { position: absolute; inset: auto 0 0 0; margin: 0; padding: 0.6em 1em; font: 14px/1.4 system-ui, sans-serif; color: #fff; background: #8b1a1a; }
-.spoken { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
-`;
-let sheet;
 
 /** Attributes with a word for a value, which the library reads, and the word when there is none. */
 const CHOICES = { background: "quad", fidelity: "exact", fresnel: "exact", "tone-map": "neutral" };
@@ -31,15 +18,12 @@ const CHOICES = { background: "quad", fidelity: "exact", fresnel: "exact", "tone
 const FIGURES = {
   "environment-rotation": [angle, 0],
   "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
+  "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
   exposure: [number, 0],
 };
 const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
-const OTHERS = ["src", "environment", "material", "alt", "poster", "loading", "reveal", "auto-rotate", "camera-controls"];
-
-/** A word as a POSIX shell takes it. */
-function shellQuoted(word) {
-  return /^[\w.,:/=*?-]+$/.test(word) && !/[*?]/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`;
-}
+const FLAGS = ["auto-rotate", "camera-controls"];
+const OTHERS = ["src", "environment", "material", "alt", "poster", "loading", "reveal", ...FLAGS];
 
 export class TukorView extends HTMLElement {
   static observedAttributes = [...Object.keys(CHOICES), ...Object.keys(FIGURES), ...CAMERA, ...OTHERS];
@@ -50,36 +34,39 @@ export class TukorView extends HTMLElement {
   #bar;
   #message;
   #spoken;
-  #engine = null;
+  #link = null;
   #starting = null;
   #camera = new OrbitCamera();
   #stop = null; // AbortController of everything that listens while connected
+  #controlled = null; // the same for the camera's controls
   #serial = { src: 0, environment: 0 }; // the newest request wins
+  #files = { src: null, environment: null }; // dropped ones, until the attribute changes
+  #names = { src: "", environment: "studio" }; // of what is shown
+  #ready = { src: false, environment: false };
+  #share = { src: 0, environment: 0 }; // fractions that have arrived
+  #parts = [];
+  #size = { width: 300, height: 150 }; // of the picture, in pixels
   #visible = false;
   #frame = 0;
+  #drawing = false;
+  #restart = false;
   #last = 0;
   #samples = 0;
   #movedAt = -Infinity;
+  #speaking = 0;
   #loaded = false;
   #dismissed = false;
-  #ready = { src: false, environment: false };
-  #names = { src: "", environment: "studio" }; // of what is shown
 
   constructor() {
     super();
-    if (!sheet) {
-      sheet = new CSSStyleSheet(); // constructed sheets need no 'unsafe-inline' in style-src
-      sheet.replaceSync(style);
-    }
-    this.#root.adoptedStyleSheets = [sheet];
+    this.#root.adoptedStyleSheets = [styleSheet()];
     const make = (tag, properties) => Object.assign(document.createElement(tag), properties);
-    this.#canvas = make("canvas", {});
+    this.#canvas = make("canvas", { role: "img" });
     this.#poster = make("div", { className: "poster" });
     this.#bar = make("progress", { className: "bar", max: 1, value: 0, hidden: true, ariaLabel: "Loading" });
     this.#message = make("p", { className: "message", hidden: true, role: "alert" });
     this.#spoken = make("div", { className: "spoken", role: "status" });
     this.#root.append(this.#canvas, this.#poster, make("slot", { name: "poster" }), this.#bar, this.#message, this.#spoken);
-    this.#canvas.setAttribute("role", "img");
     for (const property of Object.keys(PROPERTIES)) { // values set before the element was defined
       if (Object.hasOwn(this, property)) {
         const value = this[property];
@@ -90,21 +77,14 @@ export class TukorView extends HTMLElement {
   }
 
   connectedCallback() {
-    const stop = (this.#stop = new AbortController());
-    new Observer(IntersectionObserver, (entries) => {
+    const { signal } = (this.#stop = new AbortController());
+    observe(IntersectionObserver, (entries) => {
       this.#visible = entries.at(-1).isIntersecting;
       if (this.#visible) this.#start();
       this.#wake();
-    }, this, stop.signal);
-    new Observer(ResizeObserver, () => this.#changed(), this, stop.signal);
-    this.#canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault(); // or it will not come back
-      this.#engine = this.#starting = null;
-      this.#loaded = false;
-      this.#ready = { src: false, environment: false };
-    }, { signal: stop.signal });
-    this.#canvas.addEventListener("webglcontextrestored", () => this.#start(true), { signal: stop.signal });
-    document.addEventListener("visibilitychange", () => this.#wake(), { signal: stop.signal });
+    }, this, signal);
+    observe(ResizeObserver, () => this.#changed(), this, signal);
+    document.addEventListener("visibilitychange", () => this.#wake(), { signal });
     this.#controls();
     if (this.getAttribute("loading") === "eager") this.#start();
   }
@@ -112,12 +92,12 @@ export class TukorView extends HTMLElement {
   disconnectedCallback() {
     this.#stop.abort();
     cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#speaking);
     this.#frame = 0;
+    this.#link?.close();
+    this.#visible = false;
+    this.#forget();
     const canvas = this.#canvas.cloneNode(); // a context cannot be taken off its canvas
-    this.#engine?.destroy();
-    this.#engine = this.#starting = null;
-    this.#loaded = this.#visible = false;
-    this.#ready = { src: false, environment: false };
     this.#canvas.replaceWith(canvas);
     this.#canvas = canvas;
   }
@@ -127,8 +107,10 @@ export class TukorView extends HTMLElement {
     if (name === "alt") this.#describe();
     if (name === "poster") this.#poster.style.backgroundImage = now ? `url(${JSON.stringify(now)})` : "";
     if (name === "camera-controls" && this.isConnected) this.#controls();
+    if (name in this.#files) this.#files[name] = null;
+    if (name === "src" && this.#visible) this.#start();
     if (name === "auto-rotate") this.#wake();
-    if (!this.#engine) return;
+    if (!this.#link) return;
     if (name === "src") this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
     else if (name === "material") this.#guard(() => this.#materials());
@@ -142,27 +124,19 @@ export class TukorView extends HTMLElement {
   /** True once model and environment are there and a frame of them has been drawn. */
   get loaded() { return this.#loaded; }
 
-  /** Frames accumulated in the picture at rest. */
+  /** Samples a pixel accumulated in the picture at rest. */
   get accumulatedSamples() { return this.#samples; }
 
   /** Parts of the model: [{name, material}], in drawing order. */
-  get parts() { return this.#engine ? this.#engine.json("tukor_parts") : []; }
+  get parts() { return this.#parts.map((part) => ({ ...part })); }
 
   /** The `tukor render` command that gives the present view; files are named as the page names them. */
   get command() {
-    if (!this.#engine) return "";
-    const { eye, target, fov } = this.#camera.view();
-    const figures = (values) => values.map((value) => +value.toFixed(5)).join(",");
-    const words = ["tukor", "render", this.#names.src];
-    for (const one of (this.getAttribute("material") ?? "").split(";")) if (one.trim()) words.push("--material", one.trim());
-    words.push("--environment", this.#names.environment);
-    for (const name of Object.keys(CHOICES))
-      if (this.hasAttribute(name)) words.push(name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name).trim());
+    if (!this.#loaded) return "";
+    const options = Object.keys(CHOICES).filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     for (const name of Object.keys(FIGURES))
-      if (this.hasAttribute(name)) words.push(`--${name}`, figures([this.#figure(name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]));
-    words.push("--eye", figures(eye), "--target", figures(target), "--fov", figures([(fov * 180) / Math.PI]));
-    words.push("--size", `${this.#canvas.width}x${this.#canvas.height}`, "-o", "view.png");
-    return words.map(shellQuoted).join(" ");
+      if (this.hasAttribute(name)) options.push([`--${name}`, this.#figure(name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
+    return renderCommand({ ...this.#names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#size });
   }
 
   /** Ends the easing of the camera: the view is its goal from the next frame on. */
@@ -189,41 +163,33 @@ export class TukorView extends HTMLElement {
   }
 
   /** Name of the part under a point of the page (client coordinates), or null. */
-  partAtPoint(clientX, clientY) {
-    if (!this.#engine) return null;
-    const box = this.#canvas.getBoundingClientRect();
-    this.#placeCamera();
-    const index = this.#engine.call("tukor_pick", (clientX - box.left) / box.width, (clientY - box.top) / box.height, box.width / box.height);
-    return index === 0 ? null : this.parts[index - 1].name;
+  async partAtPoint(clientX, clientY) {
+    if (!this.#ready.src) return null;
+    const { left, top, width, height } = this.#canvas.getBoundingClientRect();
+    const parts = this.#parts;
+    const index = await this.#link.ask("pick", { view: this.#camera.view(), x: (clientX - left) / width, y: (clientY - top) / height, aspect: width / height });
+    return index === 0 ? null : parts[index - 1].name;
   }
 
-  /** Renders the present view at any size: `samples` accumulated frames, as pixels of straight-alpha 8-bit sRGB. */
-  async render({ width = this.#canvas.width, height = this.#canvas.height, samples = 64 } = {}) {
+  /** Sentences about what the files ask for and do not get. */
+  async warnings() {
+    return this.#link ? this.#link.ask("warnings") : [];
+  }
+
+  /** Renders the present view at any size, with so many samples a pixel: straight-alpha 8-bit sRGB. */
+  async render({ width = this.#size.width, height = this.#size.height, samples = 64 } = {}) {
     if (!(width >= 1 && height >= 1 && width <= 16384 && height <= 16384))
       throw new RangeError(`size ${width} x ${height}: expected 1 to 16384 pixels a side`);
     await this.#whenLoaded();
-    this.#placeCamera();
-    const engine = this.#engine;
-    engine.call("tukor_restart");
-    try {
-      for (let done = 0; done < samples; ) {
-        const begun = performance.now();
-        while (done < samples && performance.now() - begun < 30) {
-          engine.call("tukor_still_sample", width, height);
-          engine.gl.finish();
-          done++;
-        }
-        await new Promise((resolve) => setTimeout(resolve));
-      }
-      const at = engine.call("tukor_still_pixels");
-      return new ImageData(new Uint8ClampedArray(engine.wasm.HEAPU8.slice(at, at + 4 * width * height).buffer), width, height);
-    } finally {
-      this.#changed();
-    }
+    const bytes = await this.#link.ask("still", { view: this.#camera.view(), width, height, samples });
+    this.#changed();
+    return new ImageData(new Uint8ClampedArray(bytes.buffer), width, height);
   }
 
   async toBlob({ mimeType = "image/png", qualityArgument, ...size } = {}) {
-    const canvas = await this.#still(size);
+    const image = await this.render(size);
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    canvas.getContext("2d").putImageData(image, 0, 0);
     return canvas.convertToBlob({ type: mimeType, quality: qualityArgument });
   }
 
@@ -240,111 +206,111 @@ export class TukorView extends HTMLElement {
 
   /** Loads a dropped or chosen model file; nothing leaves the page. */
   async loadModelFile(file) {
-    await this.#start();
-    await this.#loadModel(file);
+    this.#files.src = file;
+    if (this.#link) await this.#loadModel();
+    else await this.#start();
   }
 
   async loadEnvironmentFile(file) {
-    await this.#start();
-    await this.#loadEnvironment(file);
+    this.#files.environment = file;
+    if (this.#link) await this.#loadEnvironment();
+    else await this.#start();
   }
 
   // ---- starting and loading ----
 
-  #start(again = false) {
+  #start() {
+    if (!this.hasAttribute("src") && !this.#files.src) return null;
     const waits = this.getAttribute("reveal") === "manual" && this.getAttribute("loading") !== "eager" && !this.#dismissed;
-    if (waits && !again) return this.#starting;
-    this.#starting ??= this.#begin().catch((error) => { this.#fail(error); });
+    if (!waits) this.#starting ??= this.#begin().catch((error) => this.#fail(error));
     return this.#starting;
+  }
+
+  /** Nothing is shown, and nothing is under way. */
+  #forget() {
+    this.#link = this.#starting = null;
+    this.#loaded = this.#drawing = false;
+    this.#ready = { src: false, environment: false };
+    this.#share = { src: 0, environment: 0 };
+    for (const what of ["src", "environment"]) this.#serial[what]++;
   }
 
   async #begin() {
     this.#progress(0);
     const canvas = this.#canvas;
-    const engine = await Engine.create(canvas);
+    const link = await Link.open(canvas, (event) => this.#contextSaid(event));
     if (canvas !== this.#canvas || !this.isConnected) { // removed meanwhile
-      engine.destroy();
+      link.close();
       return;
     }
-    this.#engine = engine;
+    this.#link = link;
+    await this.#sendAll();
+  }
+
+  #sendAll() {
     for (const name of [...Object.keys(CHOICES), ...Object.keys(FIGURES)]) if (this.hasAttribute(name)) this.#guard(() => this.#option(name));
-    this.#progress(0.2);
-    await Promise.all([this.#loadModel(), this.#loadEnvironment()]);
+    return Promise.all([this.#loadModel(), this.#loadEnvironment()]);
   }
 
-  async #bytes(url, name) {
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
-    return new Uint8Array(await response.arrayBuffer());
+  #contextSaid(event) {
+    const link = this.#link;
+    if (event === "lost") {
+      this.#forget();
+      this.#link = link; // it stays, and so does the canvas
+      this.#starting = Promise.resolve();
+    } else {
+      link?.ask("start").then(() => this.#sendAll()).catch((error) => this.#fail(error));
+    }
   }
 
-  async #loadModel(file = null) {
-    const serial = ++this.#serial.src;
-    const src = file ? file.name : this.getAttribute("src");
-    if (!src) return;
-    const name = file ? file.name : src.split(/[?#]/)[0].split("/").at(-1);
-    try {
-      const builtIn = !file && /^[a-z-]+$/.test(src);
-      const bytes = builtIn ? new Uint8Array() : file ? new Uint8Array(await file.arrayBuffer()) : await this.#bytes(new URL(src, document.baseURI), name);
-      if (!builtIn && bytes.length === 0) throw new Error(`${name}: an empty file`);
-      if (serial !== this.#serial.src || !this.#engine) return;
-      const files = builtIn ? [] : await this.#neighbours(bytes, name, file ? null : new URL(src, document.baseURI));
-      if (serial !== this.#serial.src || !this.#engine) return;
-      const engine = this.#engine;
-      engine.call("tukor_clear_files");
-      for (const [path, content] of files) engine.call("tukor_add_file", path, content, content.length);
-      engine.call("tukor_set_model", name, bytes, bytes.length);
-      this.#camera.frame(engine.json("tukor_framing", this.#canvas.clientWidth / this.#canvas.clientHeight || 1));
+  #loadModel() {
+    return this.#load("src", this.getAttribute("src"), /^[a-z-]+$/, async ({ name, bytes, url }, current) => {
+      const files = bytes ? await neighbours(bytes, name, url) : [];
+      if (!current()) return;
+      const aspect = this.#canvas.clientWidth / this.#canvas.clientHeight || 1;
+      const { framing, parts } = await this.#link.ask("model", { name, bytes, files, aspect }, bytes ? [bytes.buffer] : []);
+      if (!current()) return;
+      this.#parts = parts;
+      this.#camera.frame(framing);
       this.#materials();
-      for (const attribute of CAMERA) this.#cameraAttribute(attribute);
+      for (const attribute of CAMERA) this.#guard(() => this.#cameraAttribute(attribute));
       this.#camera.jump();
-      this.#names.src = src;
-      this.#arrived("src");
-    } catch (error) {
-      this.#fail(error, name);
-    }
+    });
   }
 
-  /** The buffers that a .gltf names: fetched from its own folder or below, nowhere else. */
-  async #neighbours(bytes, name, url) {
-    if (!/\.gltf$/i.test(name) || !url) return [];
-    const json = JSON.parse(new TextDecoder().decode(bytes));
-    const uris = (json.buffers ?? []).map((buffer) => buffer.uri).filter((uri) => uri && !uri.startsWith("data:"));
-    const folder = new URL(".", url).href;
-    return Promise.all(uris.map(async (uri) => {
-      const target = new URL(uri, url);
-      if (!target.href.startsWith(folder)) throw new Error(`${name}: names ${uri}, which is outside its own folder`);
-      return [decodeURIComponent(uri), await this.#bytes(target, uri)];
-    }));
+  #loadEnvironment() {
+    return this.#load("environment", this.getAttribute("environment") ?? "studio", /^[a-z]+$/,
+      ({ name, bytes }) => this.#link.ask("environment", { name, bytes }, bytes ? [bytes.buffer] : []));
   }
 
-  async #loadEnvironment(file = null) {
-    const serial = ++this.#serial.environment;
-    const source = file ? file.name : this.getAttribute("environment") ?? "studio";
-    const name = file ? file.name : source.split(/[?#]/)[0].split("/").at(-1);
+  /** A dropped file, a built-in or a URL, handed to `send` as {name, bytes, url}; no bytes for a built-in. */
+  async #load(what, attribute, builtIn, send) {
+    const serial = ++this.#serial[what];
+    const current = () => serial === this.#serial[what] && this.#link;
+    const file = this.#files[what];
+    const source = file ? file.name : attribute;
+    if (!source) return;
+    const name = file ? file.name : baseName(source);
     try {
-      const builtIn = !file && /^[a-z]+$/.test(source);
-      const bytes = builtIn ? new Uint8Array() : file ? new Uint8Array(await file.arrayBuffer()) : await this.#bytes(new URL(source, document.baseURI), name);
-      if (!builtIn && bytes.length === 0) throw new Error(`${name}: an empty file`);
-      const image = builtIn ? null : await readEnvironment(name, bytes);
-      if (serial !== this.#serial.environment || !this.#engine) return;
-      if (builtIn) this.#engine.call("tukor_set_environment", name, bytes, 0);
-      else if (image.radiance) this.#engine.call("tukor_set_environment_radiance", name, image.radiance, image.width, image.height);
-      else if (image.srgb) this.#engine.call("tukor_set_environment_srgb", name, image.srgb, image.width, image.height);
-      else this.#engine.call("tukor_set_environment", name, image.bytes, image.bytes.length);
-      this.#names.environment = source;
-      this.#arrived("environment");
+      const found = { name, bytes: undefined, url: null };
+      if (file) found.bytes = new Uint8Array(await file.arrayBuffer());
+      else if (!builtIn.test(source)) {
+        found.url = new URL(source, document.baseURI);
+        found.bytes = await download(found.url, name, (fraction) => current() && this.#arrives(what, 0.9 * fraction));
+      }
+      if (found.bytes?.length === 0) throw new Error(`${name}: an empty file`);
+      if (!current()) return;
+      await send(found, current);
+      if (!current()) return;
+      this.#names[what] = source;
+      this.#ready[what] = true;
+      if (what === "src") this.#loaded = false; // the next frame says `load` again
+      this.#message.hidden = true;
+      this.#arrives(what, 1);
+      this.#changed();
     } catch (error) {
-      this.#fail(error, name);
+      if (current()) this.#fail(error);
     }
-  }
-
-  #arrived(which) {
-    this.#ready[which] = true;
-    if (which === "src") this.#loaded = false; // the next frame says `load` again
-    this.#message.hidden = true;
-    this.#progress(0.4 + 0.3 * (this.#ready.src + this.#ready.environment));
-    this.#changed();
   }
 
   #whenLoaded() {
@@ -359,13 +325,14 @@ export class TukorView extends HTMLElement {
   // ---- attributes ----
 
   #materials() {
-    this.#engine.call("tukor_set_materials", this.getAttribute("material") ?? "");
+    return this.#link.ask("materials", { text: this.getAttribute("material") ?? "" });
   }
 
   #option(name) {
-    if (name in CHOICES) this.#engine.call("tukor_set_option", name, (this.getAttribute(name) ?? CHOICES[name]).trim());
-    else if (name === "exposure") this.#engine.call("tukor_set_exposure", this.#figure(name));
-    else this.#engine.call("tukor_set_light", this.#figure("environment-rotation"), this.#figure("environment-intensity"));
+    if (name in CHOICES) return this.#link.ask("option", { name, text: (this.getAttribute(name) ?? CHOICES[name]).trim() });
+    if (name === "exposure") return this.#link.ask("exposure", { stops: this.#figure(name) });
+    if (name === "max-depth") return this.#link.ask("depth", { depth: this.#figure(name) });
+    return this.#link.ask("light", { rotation: this.#figure("environment-rotation"), intensity: this.#figure("environment-intensity") });
   }
 
   #figure(name) {
@@ -388,7 +355,7 @@ export class TukorView extends HTMLElement {
       if (!value) throw new Error(`camera-target="${text}": expected auto or three lengths such as "0m 1m 0m"`);
       this.#camera.set({ target: value });
     } else {
-      const value = text === null || text === "auto" ? (40 * Math.PI) / 180 : angle(text);
+      const value = text === null || text === "auto" ? STANDARD_FOV : angle(text);
       if (!(value > 0 && value < Math.PI)) throw new Error(`field-of-view="${text}": expected an angle between 0deg and 180deg`);
       this.#camera.set({ fov: value });
     }
@@ -398,20 +365,17 @@ export class TukorView extends HTMLElement {
     this.#controlled?.abort();
     this.#controlled = new AbortController();
     const interactive = this.hasAttribute("camera-controls");
-    this.#canvas.tabIndex = interactive ? 0 : -1;
-    if (!interactive) this.#canvas.removeAttribute("tabindex");
+    if (interactive) this.#canvas.tabIndex = 0;
+    else this.#canvas.removeAttribute("tabindex");
     this.#canvas.setAttribute("role", interactive ? "application" : "img");
     this.#describe();
-    if (interactive)
-      listen(this.#canvas, this.#camera, () => this.#steered(), AbortSignal.any([this.#controlled.signal, this.#stop.signal]));
+    if (interactive) listen(this.#canvas, this.#camera, () => this.#steered(), AbortSignal.any([this.#controlled.signal, this.#stop.signal]));
   }
-  #controlled = null;
 
   #describe() {
-    const alt = this.getAttribute("alt") ?? "";
-    const name = alt || "3D model";
-    this.#canvas.setAttribute("aria-label",
-      this.hasAttribute("camera-controls") ? `${name}. Arrow keys turn it, page up and page down zoom, shift with arrow keys moves it.` : name);
+    const name = this.getAttribute("alt") || "3D model";
+    const keys = ". Arrow keys turn it, page up and page down zoom, shift with arrow keys moves it.";
+    this.#canvas.setAttribute("aria-label", this.hasAttribute("camera-controls") ? name + keys : name);
   }
 
   #steered() {
@@ -423,57 +387,47 @@ export class TukorView extends HTMLElement {
       if (words !== this.#spoken.textContent) this.#spoken.textContent = words;
     }, 300);
   }
-  #speaking = 0;
 
   // ---- drawing ----
 
   #changed() {
     this.#samples = 0;
-    if (this.#engine) this.#engine.call("tukor_restart");
+    this.#restart = true;
     this.#wake();
   }
 
+  get #awake() {
+    return this.#link && this.#visible && !document.hidden && this.#ready.src && this.#ready.environment;
+  }
+
   #wake() {
-    if (this.#frame || !this.#engine || !this.#visible || document.hidden) return;
-    if (!this.#ready.src || !this.#ready.environment) return;
+    if (this.#frame || this.#drawing || !this.#awake) return;
     this.#last = performance.now();
     this.#frame = requestAnimationFrame((now) => this.#draw(now));
   }
 
-  #placeCamera() {
-    const { eye, target, fov } = this.#camera.view();
-    this.#engine.call("tukor_set_camera", ...eye, ...target, fov);
-  }
-
-  #draw(now) {
+  async #draw(now) {
     this.#frame = 0;
-    if (!this.#engine || !this.#visible || document.hidden) return;
-    const seconds = Math.min((now - this.#last) / 1000, 0.1);
-    this.#last = now;
-    const turning = this.hasAttribute("auto-rotate") && !reducedMotion.matches && now - this.#movedAt > 3000;
-    if (turning) this.#camera.rotate(AUTO_ROTATE * seconds, 0);
-    if (reducedMotion.matches) this.#camera.jump();
-    const moving = this.#camera.step(seconds) || turning;
-    if (moving) {
-      this.#samples = 0;
-      this.#engine.call("tukor_restart");
-    }
-    const canvas = this.#canvas;
-    const scale = devicePixelRatio;
-    const width = Math.max(1, Math.round(canvas.clientWidth * scale));
-    const height = Math.max(1, Math.round(canvas.clientHeight * scale));
-    if (canvas.width !== width || canvas.height !== height) {
-      canvas.width = width;
-      canvas.height = height;
-    }
+    if (!this.#awake) return;
+    const link = this.#link;
+    const turns = this.hasAttribute("auto-rotate") && !reducedMotion.matches;
+    const moving = this.#moveCamera(now, turns);
+    const { clientWidth, clientHeight } = this.#canvas;
+    this.#size = { width: Math.max(1, Math.round(clientWidth * devicePixelRatio)), height: Math.max(1, Math.round(clientHeight * devicePixelRatio)) };
+    const restart = this.#restart || moving;
+    this.#restart = false;
+    this.#drawing = true;
+    let samples;
     try {
-      this.#placeCamera();
-      this.#samples = this.#engine.call("tukor_frame", width, height);
+      samples = await link.ask("frame", { view: this.#camera.view(), ...this.#size, restart });
     } catch (error) {
-      if (this.#engine?.gl.isContextLost()) return;
-      this.#fail(error);
+      if (link === this.#link && this.#awake) this.#fail(error);
       return;
+    } finally {
+      this.#drawing = false;
     }
+    if (link !== this.#link || !this.#awake) return;
+    if (!this.#restart) this.#samples = samples;
     if (!this.#loaded) {
       this.#loaded = true;
       this.#poster.hidden = true;
@@ -481,19 +435,28 @@ export class TukorView extends HTMLElement {
       this.dispatchEvent(new CustomEvent("load", { detail: { url: this.getAttribute("src") } }));
     }
     if (moving) this.dispatchEvent(new CustomEvent("camera-change", { detail: { source: this.#movedAt > -Infinity ? "user-interaction" : "none" } }));
-    this.dispatchEvent(new CustomEvent("frame", { detail: { samples: this.#samples, moving } }));
-    if (moving || this.#samples < REST_SAMPLES || (this.hasAttribute("auto-rotate") && !reducedMotion.matches))
+    this.dispatchEvent(new CustomEvent("frame", { detail: { samples, moving } }));
+    if (!this.#frame && this.#awake && (this.#restart || moving || turns || samples < REST_SAMPLES))
       this.#frame = requestAnimationFrame((next) => this.#draw(next));
   }
 
-  async #still(size) {
-    const image = await this.render(size);
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    canvas.getContext("2d").putImageData(image, 0, 0);
-    return canvas;
+  /** Eases the camera towards its goal; whether it moved. */
+  #moveCamera(now, turns) {
+    const seconds = Math.min((now - this.#last) / 1000, 0.1);
+    this.#last = now;
+    const turning = turns && now - this.#movedAt > 3000;
+    if (turning) this.#camera.rotate(AUTO_ROTATE * seconds, 0);
+    const before = this.#camera.view();
+    if (reducedMotion.matches) this.#camera.jump();
+    return this.#camera.step(seconds) || turning || before.eye.some((x, i) => x !== this.#camera.view().eye[i]);
   }
 
   // ---- telling ----
+
+  #arrives(what, fraction) {
+    this.#share[what] = fraction;
+    if (!this.#loaded) this.#progress(0.95 * (0.5 * this.#share.src + 0.5 * this.#share.environment));
+  }
 
   #progress(fraction) {
     this.#bar.value = fraction;
@@ -501,38 +464,38 @@ export class TukorView extends HTMLElement {
     this.dispatchEvent(new CustomEvent("progress", { detail: { totalProgress: fraction } }));
   }
 
-  #guard(action) {
+  /** Does something that may be refused, now or later. */
+  async #guard(action) {
+    const link = this.#link;
     try {
-      action();
-      this.#message.hidden = true;
+      await action();
+      if (link === this.#link) this.#message.hidden = true;
     } catch (error) {
-      this.#fail(error);
+      if (link === this.#link) this.#fail(error);
     }
   }
 
-  #fail(error, name = "") {
-    const text = error instanceof SyntaxError && name ? `${name}: not valid JSON` : error.message;
-    this.#message.textContent = text;
+  #fail(error) {
+    if (error.lost) return; // the context comes back, and all is sent again
+    this.#message.textContent = error.message;
     this.#message.hidden = false;
     this.#bar.hidden = true;
-    this.dispatchEvent(new CustomEvent("error", { detail: { message: text, sourceError: error } }));
+    this.dispatchEvent(new CustomEvent("error", { detail: { message: error.message, sourceError: error } }));
   }
 }
 
-/** An observer of one element that ends with a signal. */
-class Observer {
-  constructor(Kind, callback, element, signal) {
-    const observer = new Kind(callback);
-    observer.observe(element);
-    signal.addEventListener("abort", () => observer.disconnect());
-  }
+/** Watches one element until a signal. */
+function observe(Kind, callback, element, signal) {
+  const observer = new Kind(callback);
+  observer.observe(element);
+  signal.addEventListener("abort", () => observer.disconnect());
 }
 
 /** Every attribute is a property too, in camel case. */
 const PROPERTIES = {};
 for (const name of TukorView.observedAttributes) {
   const property = name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
-  const flag = name === "auto-rotate" || name === "camera-controls";
+  const flag = FLAGS.includes(name);
   PROPERTIES[property] = {
     get() { return flag ? this.hasAttribute(name) : this.getAttribute(name); },
     set(value) {

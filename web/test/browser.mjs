@@ -5,9 +5,9 @@ import { serve } from "../serve.mjs";
 const FLAGS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--force-color-profile=srgb"];
 
 /** Starts server and browser; `extra` maps further paths to what the server answers. Close it with close(). */
-export async function open(extra = {}) {
+export async function open(extra = {}, flags = FLAGS) {
   const server = await serve(0, extra);
-  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: FLAGS });
+  const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: flags });
   const origin = `http://127.0.0.1:${server.address().port}`;
   return {
     origin,
@@ -36,6 +36,12 @@ export async function open(extra = {}) {
       await page.goto(`${origin}/test/blank.html`);
       await page.waitForFunction(() => customElements.get("tukor-view"));
       return page;
+    },
+    /** Ends the GPU process, as a driver's fault does: every context is lost. */
+    async loseContexts() {
+      const session = await browser.newBrowserCDPSession();
+      await session.send("Browser.crashGpuProcess").catch(() => {});
+      await session.detach();
     },
     async close() {
       await browser.close();

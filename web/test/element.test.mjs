@@ -49,6 +49,7 @@ test("attributes and properties act live", async () => {
   await page.evaluate(() => {
     for (const name of ["exposure", "camera-orbit", "environment-rotation", "environment-intensity", "tone-map", "field-of-view"]) window.view.removeAttribute(name);
     window.view.material = "gold";
+    window.view.jumpCameraToGoal();
   });
   const again = await picture(page, { ...small, samples: 1 });
   assert.deepEqual(again.data, first.data, "removing the attributes gives the first picture back");
@@ -154,17 +155,12 @@ test("one finger turns, two pinch", async () => {
 test("a lost context comes back with the same picture", async () => {
   const page = await element({});
   const before = await picture(page, { ...small, samples: 1 });
-  await page.evaluate(async () => {
-    window.said.length = 0;
-    const gl = window.view.shadowRoot.querySelector("canvas").getContext("webgl2");
-    const extension = gl.getExtension("WEBGL_lose_context");
-    extension.loseContext();
-    await new Promise((resolve) => setTimeout(resolve, 100));
-    extension.restoreContext();
-  });
-  await page.waitForFunction(() => window.said.some(({ type }) => type === "load"));
+  await page.evaluate(() => (window.said.length = 0));
+  await browser.loseContexts();
+  await page.waitForFunction(() => window.said.some(({ type }) => type === "load"), null, { timeout: 60000 });
   const after = await picture(page, { ...small, samples: 1 });
   assert.deepEqual(after.data, before.data);
+  assert.deepEqual(await page.said("error"), []);
   await page.context().close();
 });
 
@@ -185,15 +181,28 @@ test("elements can be taken off the page and put back, many times", async () => 
 });
 
 test("without WebGL 2 it says so", async () => {
-  const page = await browser.blank();
-  const message = await page.evaluate(async () => {
-    HTMLCanvasElement.prototype.getContext = () => null;
-    const view = document.createElement("tukor-view");
-    view.src = "sphere";
-    const said = new Promise((resolve) => view.addEventListener("error", (event) => resolve(event.detail.message)));
-    document.body.append(view);
-    return said;
-  });
-  assert.equal(message, "WebGL 2 is not available in this browser");
+  const bare = await open({ "/test/light.hdr": hdrFile(64) }, ["--disable-gpu", "--disable-software-rasterizer"]);
+  const page = await bare.element(knot, small);
+  assert.deepEqual((await page.evaluate(() => window.said.filter(({ type }) => type === "error"))).map(({ message }) => message), ["WebGL 2 is not available in this browser"]);
+  assert.equal(await page.evaluate(() => window.view.shadowRoot.querySelector("[role=alert]").textContent), "WebGL 2 is not available in this browser");
+  await bare.close();
+});
+
+test("where no worker can draw, the page does it itself: the same picture", async () => {
+  const page = await element({});
+  const drawn = await picture(page, { ...small, samples: 2 });
   await page.context().close();
+  const plain = await browser.blank();
+  await plain.evaluate(async ({ knot, small }) => {
+    delete HTMLCanvasElement.prototype.transferControlToOffscreen;
+    window.view = document.createElement("tukor-view");
+    for (const [name, value] of Object.entries(knot)) window.view.setAttribute(name, value);
+    window.view.style.cssText = `width:${small.width}px;height:${small.height}px`;
+    document.body.append(window.view);
+  }, { knot, small });
+  const own = await picture(plain, { ...small, samples: 2 });
+  assert.deepEqual(plain.workers(), []);
+  assert.deepEqual(own.data, drawn.data);
+  assert.deepEqual(plain.errors, []);
+  await plain.context().close();
 });

@@ -5,9 +5,10 @@ import { after, before, test } from "node:test";
 import { brotliCompressSync } from "node:zlib";
 import { open } from "./browser.mjs";
 import { hdrFile } from "./light.mjs";
+import { glbFile } from "./solid.mjs";
 
 let browser;
-before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256) })));
+before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256), "/test/solid.glb": glbFile() })));
 after(() => browser.close());
 
 async function audit(page) {
@@ -50,19 +51,21 @@ test("the editor takes a dropped environment and writes HTML and command", async
   await page.context().close();
 });
 
-test("a page with a model and an .hdr fetches at most 130 KB of code, compressed", async () => {
+test("all that a page fetches for a GLB with an .hdr is at most 130 KB, compressed", async () => {
   const page = await browser.blank();
   const fetched = new Set();
-  page.on("request", (request) => /\/dist\//.test(request.url()) && fetched.add(new URL(request.url()).pathname));
+  page.context().on("request", (request) => /\/dist\//.test(request.url()) && fetched.add(new URL(request.url()).pathname));
   await page.reload();
   await page.evaluate(() => {
-    document.body.innerHTML = '<tukor-view src="sphere" environment="light.hdr" fidelity="single"></tukor-view>';
+    document.body.innerHTML = '<tukor-view src="solid.glb" environment="light.hdr" fidelity="single"></tukor-view>';
   });
   await page.waitForFunction(() => document.querySelector("tukor-view").loaded, null, { timeout: 60000 });
   let bytes = 0;
   for (const path of fetched) bytes += brotliCompressSync(await readFile(new URL(`..${path}`, import.meta.url))).length;
   console.log(`# ${[...fetched].join(" ")}: ${(bytes / 1000).toFixed(1)} KB`);
-  assert.ok(fetched.size >= 3);
+  for (const part of ["tukor-view.js", "tukor-worker.js", "tukor.wasm"]) assert.ok(fetched.has(`/dist/${part}`), `${part} was fetched`);
+  assert.ok(!fetched.has("/dist/tukor-extras.wasm"));
   assert.ok(bytes <= 130000, `${bytes} bytes`);
+  assert.deepEqual(page.errors, []);
   await page.context().close();
 });

@@ -1,7 +1,8 @@
 #include "tukor/app/option_text.h"
 
 #include <cmath>
-#include <cstdlib>
+
+#include "tukor/base/number_text.h"
 
 namespace tukor {
 namespace {
@@ -15,12 +16,8 @@ std::string quoted(std::string_view text) {
 
 /// A plain decimal number that fills the whole text; no nan, inf, hexadecimal or white space.
 std::optional<double> decimal(std::string_view text) {
-    if (text.empty() || text.size() > 64) return std::nullopt;
-    if (text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return std::nullopt;
-    const std::string copy(text);
-    char* end = nullptr;
-    const double value = std::strtod(copy.c_str(), &end);
-    if (end != copy.c_str() + copy.size() || !std::isfinite(value)) return std::nullopt;
+    const std::optional<double> value = numberFromText(text);
+    if (!value || !std::isfinite(*value)) return std::nullopt;
     return value;
 }
 

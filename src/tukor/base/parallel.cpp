@@ -41,10 +41,7 @@ int threadCount() noexcept {
 
 #else
 
-void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body) {
-    for (int piece = begin; piece < end; piece += std::max(grain, 1))
-        body(piece, std::min(end, piece + std::max(grain, 1)));
-}
+// Without TBB: WebAssembly, where parallelFor is a template.
 
 void setThreadCount(int) {}
 

@@ -3,12 +3,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/number_text.h"
 #include "tukor/base/parallel.h"
 #include "tukor/image/image_size.h"
 #include "tukor/image/radiance_file.h"
@@ -50,14 +50,14 @@ std::optional<std::string_view> nextLine(std::span<const std::byte> bytes, std::
 
 /// Up to `values.size()` numbers of a header line; how many there are.
 int parseNumbers(std::string_view text, std::span<double> values) {
-    const std::string copy(text);  // strtod wants a terminator
-    const char* at = copy.c_str();
     int count = 0;
     for (double& value : values) {
-        char* end = nullptr;
-        value = std::strtod(at, &end);
-        if (end == at) break;
-        at = end;
+        text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+        const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+        const std::optional<double> number = numberFromText(text.substr(0, end));
+        if (!number) break;
+        value = *number;
+        text.remove_prefix(end);
         ++count;
     }
     return count;

@@ -1,11 +1,12 @@
 // `--material` values, and the ranges of their figures.
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/number_text.h"
 #include "tukor/base/spelling.h"
 #include "tukor/materials/materials.h"
 
@@ -23,14 +24,12 @@ std::string shown(std::string_view text) {
 }
 
 float parseNumber(std::string_view text, std::string_view whole) {
-    const std::string number(text);
-    char* end = nullptr;
-    const float value = std::strtof(number.c_str(), &end);
-    if (number.empty() || end != number.c_str() + number.size()) {
+    const std::optional<double> value = numberFromText(text);
+    if (!value) {
         throw Error(fmt::format("material '{}': '{}' is not a number; expected {}", shown(whole),
                                 shown(text), kForms));
     }
-    return value;
+    return static_cast<float>(*value);
 }
 
 /// One number for all channels, or three.

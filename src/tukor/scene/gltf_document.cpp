@@ -97,12 +97,13 @@ void GltfDocument::readContainer(std::span<const std::byte> bytes) {
         if (type == kBinaryChunk && chunk_.empty()) chunk_ = chunk;
         offset += 8 + (length + 3) / 4 * 4;
     }
-    if (json_.is_null()) throw Error(fmt::format("{}: a GLB without a JSON chunk", name_));
+    if (json_.kind(0) == JsonKind::null)
+        throw Error(fmt::format("{}: a GLB without a JSON chunk", name_));
 }
 
 void GltfDocument::checkVersion() const {
     const JsonItem asset = root().at("asset");
-    const std::string version = asset.at("version").text();
+    const std::string_view version = asset.at("version").text();
     if (!version.starts_with("2."))
         asset.fail(fmt::format("glTF version '{}'; expected 2.0", printable(version)));
     if (const std::string least = asset.textOr("minVersion", "2.0"); least != "2.0")

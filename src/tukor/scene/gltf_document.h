@@ -63,7 +63,7 @@ private:
 
     std::filesystem::path path_;
     std::string name_;
-    nlohmann::json json_;
+    JsonDocument json_;
     std::span<const std::byte> chunk_;  // the binary one of a GLB
     std::vector<std::span<const std::byte>> buffers_;
     std::vector<GltfBytes> loaded_;                        // those from URIs

@@ -51,7 +51,7 @@ bool isAppearance(std::string_view name) {
 
 void refuseUnknownExtensions(const JsonItem& root) {
     for (const JsonItem item : root.list("extensionsRequired")) {
-        const std::string& name = item.text();
+        const std::string_view name = item.text();
         if (contains(kRead, name) || contains(kHarmless, name) || isAppearance(name)) continue;
         item.fail(fmt::format("the file requires the extension {}, which is not supported",
                               printable(name)));
@@ -60,7 +60,7 @@ void refuseUnknownExtensions(const JsonItem& root) {
 
 void noteFeatures(const JsonItem& root, const ModelOptions& options, Notes& notes) {
     for (const JsonItem item : root.list("extensionsUsed")) {
-        const std::string& name = item.text();
+        const std::string_view name = item.text();
         if (!contains(kRead, name) && !contains(kHarmless, name))
             notes.add("extensions that are not rendered", name);
     }

@@ -28,7 +28,7 @@ void applyFilter(const JsonItem& extension, std::vector<std::byte>& bytes, std::
 
 std::vector<std::byte> meshoptDecoded(const JsonItem& extension,
                                       std::span<const std::byte> compressed) {
-    const std::string mode = extension.at("mode").text();
+    const std::string_view mode = extension.at("mode").text();
     const std::size_t count = extension.at("count").count();
     const std::size_t stride = extension.at("byteStride").count();
     const bool vertices = mode == "ATTRIBUTES", triangles = mode == "TRIANGLES";

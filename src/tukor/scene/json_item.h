@@ -10,25 +10,21 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include "tukor/scene/json_document.h"
 
 namespace tukor {
-
-/// Parses a whole document. Throws Error, opened by `name`, where it is not JSON, nests deeper than
-/// 64 levels, or its values would take more than 64 MB beside the text of its strings.
-[[nodiscard]] nlohmann::json parseJson(std::string_view name, std::span<const std::byte> text);
 
 class JsonList;
 
 /// A value and the path to it, such as `a.gltf: meshes[2].primitives[0]`. Refers to the document
-/// and its name; member names must outlive it, as literals do.
+/// and its name.
 ///
 /// Every member function throws Error when the value is not of the type asked for.
 class JsonItem {
 public:
     /// The root of a document.
-    JsonItem(const nlohmann::json& value, const std::string& document)
-        : value_(&value), document_(&document) {}
+    JsonItem(const JsonDocument& json, const std::string& document)
+        : json_(&json), document_(&document) {}
 
     [[nodiscard]] std::string where() const;
 
@@ -48,7 +44,7 @@ public:
 
     [[nodiscard]] double number() const;      // finite
     [[nodiscard]] std::size_t count() const;  // a whole number from 0 to 2^53
-    [[nodiscard]] const std::string& text() const;
+    [[nodiscard]] std::string_view text() const;
     [[nodiscard]] bool truth() const;
 
     /// Members with a default for absence.
@@ -72,8 +68,8 @@ public:
 
 private:
     bool numbersInto(const char* name, std::span<double> values) const;
-    void requireObject() const;
-    [[nodiscard]] JsonItem child(const nlohmann::json& value, const char* name,
+    void require(JsonKind kind, std::string_view expected) const;
+    [[nodiscard]] JsonItem child(std::size_t value, const char* name,
                                  std::size_t index) const noexcept;
 
     struct Step {
@@ -83,8 +79,9 @@ private:
     static constexpr std::size_t kSteps = 10;  // deeper ones are not told
 
     // Paths are put into words only for messages: a file can have millions of items.
-    const nlohmann::json* value_;
+    const JsonDocument* json_;
     const std::string* document_;
+    std::size_t value_ = 0;
     std::array<Step, kSteps> path_{};
     std::size_t depth_ = 0;
 };

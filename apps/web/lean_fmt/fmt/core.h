@@ -1,0 +1,3 @@
+// What format.h has.
+#pragma once
+#include <fmt/format.h>

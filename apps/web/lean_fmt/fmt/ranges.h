@@ -1,0 +1,3 @@
+// Lists in messages: see format.h.
+#pragma once
+#include <fmt/format.h>

@@ -1,0 +1,38 @@
+// The second module, on its own so that only pages which need it fetch it: built-in shapes and skies, other model formats, cube maps.
+import { Library } from "./engine.js";
+import createModule from "../../build/web/apps/web/tukor-extras.js";
+
+let library = null;
+
+function extras() {
+  library ??= WebAssembly.compileStreaming(fetch(new URL("./tukor-extras.wasm", import.meta.url))).catch(async () => {
+    const response = await fetch(new URL("./tukor-extras.wasm", import.meta.url)); // from servers that send another type than application/wasm
+    if (!response.ok) throw new Error(`tukor-extras.wasm: ${response.status} ${response.statusText}`);
+    return WebAssembly.compile(await response.arrayBuffer());
+  }).then((module) => Library.create(createModule, module, "extras"));
+  library.catch(() => (library = null));
+  return library;
+}
+
+function made({ wasm }) {
+  const at = wasm._extras_bytes();
+  return wasm.HEAPU8.slice(at, at + wasm._extras_size());
+}
+
+/** A scene's bytes: of a built-in shape where there are no bytes. */
+export async function model({ name, bytes = new Uint8Array(), files }) {
+  const library = await extras();
+  for (const [path, content] of files) library.call("add_file", path, content, content.length);
+  library.call("model", name, bytes, bytes.length);
+  return made(library);
+}
+
+/** A cube map's texels: of a built-in environment where there is no image, else of one that readEnvironment() read. */
+export async function environment(name, image) {
+  const library = await extras();
+  const faceSize =
+    image?.radiance ? library.call("environment_radiance", name, image.radiance, image.width, image.height)
+    : image?.srgb ? library.call("environment_srgb", name, image.srgb, image.width, image.height)
+    : library.call("environment", name, image?.bytes ?? new Uint8Array(), image?.bytes.length ?? 0);
+  return { faceSize, texels: made(library), warnings: library.json("warnings") };
+}

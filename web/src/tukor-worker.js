@@ -1,0 +1,148 @@
+// The side that computes: one element's library and WebGL context, answering the messages of link.js one after the other.
+import { Engine } from "./engine.js";
+import { readEnvironment } from "./environment-file.js";
+
+/** By what the file begins with, or else its name; everything else is for the second module to tell. */
+function isGltf(name, bytes) {
+  const start = String.fromCharCode(...bytes.subarray(0, 4));
+  return start === "glTF" || /\.(gltf|glb)$/i.test(name);
+}
+
+class Host {
+  canvas = null;
+  #port;
+  #engine = null;
+  #module = null;
+  #skyWarnings = [];
+  #tail = Promise.resolve();
+  #pending = Promise.resolve(); // until the frame before is drawn
+
+  constructor(port) {
+    this.#port = port;
+    port.onmessage = ({ data: { id, act, values } }) => {
+      this.#tail = this.#tail.then(async () => {
+        try {
+          const value = await this[act](values);
+          const transfer = value?.buffer instanceof ArrayBuffer ? [value.buffer] : [];
+          port.postMessage({ id, value }, transfer);
+        } catch (error) {
+          const lost = this.#engine?.gl.isContextLost() ?? false;
+          port.postMessage({ id, error: lost ? "the WebGL context is lost" : error.message, lost });
+        }
+      });
+    };
+  }
+
+  async start({ canvas, module }) {
+    this.canvas ??= canvas;
+    this.#module ??= module;
+    const first = !this.#engine;
+    this.#engine = await Engine.open(this.canvas, this.#module);
+    if (!first) return;
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault(); // or it will not come back
+      this.#port.postMessage({ event: "lost" });
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => this.#port.postMessage({ event: "restored" }));
+  }
+
+  /** A built-in shape where there are no bytes; `files` are what a .gltf names. */
+  async model({ name, bytes, files = [], aspect }) {
+    const engine = this.#engine;
+    if (bytes && isGltf(name, bytes)) {
+      engine.call("clear_files");
+      for (const [path, content] of files) engine.call("add_file", path, content, content.length);
+      engine.call("set_model", name, bytes, bytes.length);
+    } else {
+      const scene = await (await import("./tukor-extras.js")).model({ name, bytes, files });
+      engine.call("set_scene", scene, scene.length);
+    }
+    return { framing: engine.json("framing", aspect), parts: engine.json("parts") };
+  }
+
+  /** A built-in one where there are no bytes. */
+  async environment({ name, bytes }) {
+    const engine = this.#engine;
+    const image = bytes && (await readEnvironment(name, bytes));
+    this.#skyWarnings = [];
+    if (image) {
+      const other =
+        image.radiance ? engine.call("set_environment_radiance", name, image.radiance, image.width, image.height)
+        : image.srgb ? engine.call("set_environment_srgb", name, image.srgb, image.width, image.height)
+        : engine.call("set_environment", name, image.bytes, image.bytes.length);
+      if (!other) return;
+    }
+    const { texels, faceSize, warnings } = await (await import("./tukor-extras.js")).environment(name, image);
+    engine.call("set_environment_cube", texels, faceSize);
+    this.#skyWarnings = warnings;
+  }
+
+  warnings() { return [...this.#engine.json("warnings"), ...this.#skyWarnings]; }
+  materials({ text }) { this.#engine.call("set_materials", text); }
+  option({ name, text }) { this.#engine.call("set_option", name, text); }
+  light({ rotation, intensity }) { this.#engine.call("set_light", rotation, intensity); }
+  depth({ depth }) { this.#engine.call("set_max_depth", depth); }
+  exposure({ stops }) { this.#engine.call("set_exposure", stops); }
+
+  #place({ eye, target, fov }) {
+    this.#engine.call("set_camera", ...eye, ...target, fov);
+  }
+
+  /** One more frame in the canvas; the samples in it. */
+  async frame({ view, width, height, restart }) {
+    await this.#pending; // one frame is drawn while the next is thought of, no more
+    const { canvas } = this;
+    if (canvas.width !== width || canvas.height !== height) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+    if (restart) this.#engine.call("restart");
+    this.#place(view);
+    const samples = this.#engine.call("frame", width, height);
+    this.#pending = this.#drawn();
+    return samples;
+  }
+
+  /** Many samples of another picture, which is not shown: straight-alpha 8-bit sRGB. */
+  async still({ view, width, height, samples }) {
+    const engine = this.#engine;
+    this.#place(view);
+    engine.call("restart");
+    while (engine.call("still_sample", width, height, samples) < samples) await this.#drawn();
+    const at = engine.call("still_pixels");
+    engine.call("restart");
+    return engine.wasm.HEAPU8.slice(at, at + 4 * width * height);
+  }
+
+  /** 1 + the index of the part under a place, 0 for none. */
+  pick({ view, x, y, aspect }) {
+    this.#place(view);
+    return this.#engine.call("pick", x, y, aspect);
+  }
+
+  /** Resolves when the GPU has done what it was told: frames must not pile up behind a slow one. */
+  async #drawn() {
+    const { gl } = this.#engine;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (fence && !gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED)
+      await new Promise((resolve) => setTimeout(resolve));
+    gl.deleteSync(fence);
+  }
+
+  stop() {
+    this.#engine?.destroy();
+  }
+}
+
+/** Answers on a port; the page itself calls this where there is no worker. */
+export function serve(port) {
+  return new Host(port);
+}
+
+if (typeof DedicatedWorkerGlobalScope !== "undefined" && self instanceof DedicatedWorkerGlobalScope) {
+  const probe = typeof OffscreenCanvas === "undefined" ? null : new OffscreenCanvas(1, 1).getContext("webgl2");
+  probe?.getExtension("WEBGL_lose_context")?.loseContext(); // browsers keep only so many
+  serve(self);
+  self.postMessage({ webgl2: probe !== null });
+}
