@@ -12,7 +12,7 @@ import json
 import scenes
 from curves import cpu_at, svg
 
-ERRORS, SAMPLES = (8, 4, 2, 1.4, 1, 0.7, 0.5), (1, 4, 16, 64)
+ERRORS, SAMPLES = "6,3,1.5,0.75", "4,16,64"
 
 
 def cached(renderer, scene, map_name, quality, again):
@@ -32,14 +32,14 @@ def measure(scene, map_name, args):
     peers = [("Cycles", cached(scenes.cycles, scene, map_name, q, args.peers_again)) for q in ((256, 1), (256, 2), (64, 1))]
     if args.povray:
         peers += [("POV-Ray", cached(scenes.povray, scene, map_name, (q,), args.peers_again)) for q in (2, 4)]
-    ours = [("tukor", scenes.tukor(scene, map_name, ["--error", e])) for e in ERRORS]
-    ours += [("tukor --samples", scenes.tukor(scene, map_name, ["--samples", n])) for n in SAMPLES]
+    ours = [("tukor", scenes.tukor(scene, map_name, ["--error", e])) for e in args.errors.split(",")]
+    ours += [("tukor --samples", scenes.tukor(scene, map_name, ["--samples", n])) for n in args.samples.split(",")]
     noise, *errors, common = scenes.errors(references, [picture for _, (_, picture) in peers + ours])
     curves = {}
     for (name, (cpu, _)), error in zip(peers + ours, errors):
         curves.setdefault(name, []).append((cpu, *error))
     promised = [(e, float(scenes.header_text(picture, "expected-rmse") or "nan"), error[2])
-                for e, (_, (_, picture)), error in zip(ERRORS, ours, errors[len(peers):])]
+                for e, (_, (_, picture)), error in zip(args.errors.split(","), ours, errors[len(peers):])]
     return curves, noise, common, promised
 
 
@@ -64,6 +64,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scenes", default=",".join(scenes.SCENES))
     parser.add_argument("--maps", default=",".join(scenes.MAPS))
+    parser.add_argument("--errors", default=ERRORS, help="points of the curve of --error")
+    parser.add_argument("--samples", default=SAMPLES, help="points of the curve of --samples")
     parser.add_argument("--reference", type=int, default=128, help="least samples a pixel of each of the two pictures that make a reference")
     parser.add_argument("--peers-again", action="store_true", help="render the peers' pictures again, not only tukor's")
     parser.add_argument("--povray", action="store_true", help="measure POV-Ray, too; it takes long")
@@ -89,7 +91,7 @@ def main():
                     print("    ", name, *(f"{value:.4g}" for value in point), flush=True)
             panels[f"{scene}, {map_name}"] = curves
     text = TEXT.format(rows="\n".join(rows), promises="\n".join(promises), limits="\n".join(limits),
-                       asked=" | ".join(f"{e:g}" for e in ERRORS), bars="---|" * len(ERRORS), reference=args.reference)
+                       asked=args.errors.replace(",", " | "), bars="---|" * len(args.errors.split(",")), reference=args.reference)
     if not args.no_write:
         for name, content in (("offline.md", text), ("offline.svg", svg(panels))):
             (scenes.ROOT / "docs" / name).write_text(content)

@@ -37,13 +37,18 @@ def prepare():
         run([BUILD / "bench/export_shape", shape, FOLDER / f"{name}.obj", x, 0, 0])
     if new:
         run(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/normals.py", "--", *(f"{name}.obj" for name in new)])
-    if not (FOLDER / "detailed.exr").exists():
-        run([BUILD / "bench/detailed_map", FOLDER / "detailed.exr"])
+    for name in MAPS:
+        out = environment(name)
+        if out.exists():
+            continue
+        if name == "detailed":
+            run([BUILD / "bench/detailed_map", out])
+        else:  # in Rec. 709: city.exr has primaries of its own, which the peers ignore
+            run([TUKOR, "environment", "convert", PHOTOGRAPHS / out.name, "-o", out])
 
 
 def environment(name):
-    own = FOLDER / f"{name}.exr"
-    return own if own.exists() else PHOTOGRAPHS / f"{name}.exr"
+    return FOLDER / f"{name}.exr"
 
 
 def header_text(path, key):
