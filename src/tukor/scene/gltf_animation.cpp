@@ -111,7 +111,7 @@ private:
 };
 
 void apply(const Sampler& sampler, const JsonItem& target, GltfNodePose& pose) {
-    const std::string path = target.at("path").text();
+    const std::string path(target.at("path").text());
     const std::size_t width = sampler.width();
     if (path == "weights") {
         sampler.requireComponents(1);

@@ -24,7 +24,7 @@ Light readGltfLight(const GltfDocument& document, const GltfPlaced& placed) {
     const JsonItem item = extension->list("lights")[placed.index];
     Light light;
     light.name = item.textOr("name", placed.name);
-    const std::string type = item.at("type").text();
+    const std::string type(item.at("type").text());
     if (type == "directional")
         light.kind = LightKind::directional;
     else if (type == "point")
