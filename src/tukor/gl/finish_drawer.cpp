@@ -163,7 +163,10 @@ void FinishDrawer::drawPart(const SurfaceBuffers& surfaces, int part, const Fini
     program.set("anisotropy", glm::vec2(finish.anisotropy, finish.anisotropyRotation));
     program.set("film", glm::vec4(finish.iridescence, finish.iridescenceIor,
                                   finish.iridescenceThinnest, finish.iridescenceThickest));
-    surfaces.draw(part, frame.view.eye);
+    if (finish.alphaMode == AlphaMode::opaque)
+        surfaces.draw(part, frame.view.eye);
+    else
+        surfaces.drawBothSides(part);
 }
 
 void FinishDrawer::draw(const SurfaceBuffers& surfaces, const std::vector<Material>& materials,

@@ -141,4 +141,15 @@ void SurfaceBuffers::draw(int part, glm::vec3 eye) const {
     glDisable(GL_CULL_FACE);
 }
 
+void SurfaceBuffers::drawBothSides(int part) const {
+    const Range& range = ranges_[static_cast<std::size_t>(part)];
+    const auto* first = reinterpret_cast<const void*>(range.firstByte);
+    glEnable(GL_CULL_FACE);
+    for (const GLenum culled : {GL_FRONT, GL_BACK}) {
+        glCullFace(culled);
+        glDrawElements(GL_TRIANGLES, range.indices, GL_UNSIGNED_INT, first);
+    }
+    glDisable(GL_CULL_FACE);
+}
+
 }  // namespace tukor::gl

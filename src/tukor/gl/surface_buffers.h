@@ -25,6 +25,9 @@ public:
     /// from outside of a solid, not at all. Changes face culling.
     void draw(int part, glm::vec3 eye) const;
 
+    /// Draws one part that can be seen through: all triangles, those turned away first.
+    void drawBothSides(int part) const;
+
 private:
     void addDetails(const Scene& scene);
 

@@ -116,7 +116,6 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
         transport::endBranch(tree);
         return at.throughput * look.baseColor;
     }
-    if (!met.consistent) tree.inconsistencies = tree.inconsistencies + 1;
     glm::vec3 radiance = at.throughput * look.emission;
 
     // As rough at least as the footprint is wide: what a sharper highlight holds would be found by
@@ -126,6 +125,8 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
         glm::max(look.a, glm::vec2(std::min(0.5f * width, 0.3f) * (width > 0.02f ? 1.0f : 0.0f)));
 
     const bool solid = surface.kind == transport::kDielectric;
+    // What is opaque may be a sheet, and be seen from behind.
+    if (solid && !met.consistent) tree.inconsistencies = tree.inconsistencies + 1;
     if (solid && from.eta == to.eta) {  // nothing to be seen
         at.media = met.beyond;
         at.footprint = footprint;
