@@ -8,6 +8,7 @@
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/cube_texel.h"
 #include "tukor/transport/footprint.h"
+#include "tukor/transport/look_ups.h"
 
 namespace tukor::trace {
 
@@ -15,9 +16,6 @@ namespace {
 
 // Footprints are clamped to 16 texels (transport/footprint.h): no more levels are ever read.
 constexpr std::size_t kLevels = 5;
-
-// Radians: linear extrapolation of directions means nothing over more.
-constexpr float kWidest = 0.5f;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -219,39 +217,18 @@ glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, float solidAngle) const 
 
 glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
                                    int mostLookUps) const noexcept {
-    // In texels. Where differentials broke down, in NaN or overflow, the footprint is a point.
-    const float texels = 0.691f * static_cast<float>(equivalentFaceSize_);  // to the radian
-    float width = glm::length(dx) * texels, height = glm::length(dy) * texels;
-    if (!(width < 1e6f) || !(height < 1e6f)) return look(turned(direction), 0.0f);
-    const float widest = kWidest * texels;
-    if (width > widest) dx *= widest / width, width = widest;
-    if (height > widest) dy *= widest / height, height = widest;
-    int across = std::clamp(static_cast<int>(width + 0.5f), 1, 64);
-    int down = std::clamp(static_cast<int>(height + 0.5f), 1, 64);
-    while (across * down > mostLookUps) {
-        if (across > 1 &&
-            (down == 1 || width * static_cast<float>(down) < height * static_cast<float>(across))) {
-            --across;
-        } else {
-            --down;
-        }
-    }
-    const float step =
-        std::max(width / static_cast<float>(across), height / static_cast<float>(down));
-    const float level =
-        std::clamp(std::log2(std::max(step, 1.0f)), 0.0f, static_cast<float>(kLevels - 1));
-    const glm::vec3 d = turned(direction);
-    if (across * down == 1) return look(d, level);
-    const glm::vec3 stepX = turned(dx) / static_cast<float>(across);
-    const glm::vec3 stepY = turned(dy) / static_cast<float>(down);
-    const glm::vec3 first = d - 0.5f * static_cast<float>(across - 1) * stepX -
-                            0.5f * static_cast<float>(down - 1) * stepY;
+    const float texelsPerRadian = 0.691f * static_cast<float>(equivalentFaceSize_);
+    const transport::LookUps l = transport::lookUpsOver(dx, dy, texelsPerRadian, mostLookUps);
+    const float level = std::min(l.level, static_cast<float>(kLevels - 1));
+    if (l.across * l.down == 1) return look(turned(direction), level);
+    const glm::vec3 stepX = turned(l.stepX), stepY = turned(l.stepY);
+    const glm::vec3 first = turned(direction + l.first);
     glm::vec3 sum(0.0f);
-    for (int j = 0; j < down; ++j) {
+    for (int j = 0; j < l.down; ++j) {
         glm::vec3 at = first + static_cast<float>(j) * stepY;
-        for (int i = 0; i < across; ++i, at += stepX) sum += look(at, level);
+        for (int i = 0; i < l.across; ++i, at += stepX) sum += look(at, level);
     }
-    return sum / static_cast<float>(across * down);
+    return sum / static_cast<float>(l.across * l.down);
 }
 
 }  // namespace tukor::trace

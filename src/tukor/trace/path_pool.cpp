@@ -7,6 +7,7 @@
 
 #include "tukor/trace/rough_event.h"
 #include "tukor/trace/rounding.h"
+#include "tukor/transport/look_ups.h"
 
 namespace tukor::trace {
 
@@ -16,7 +17,7 @@ namespace {
 // cache.
 constexpr std::size_t kPaths = 64;
 
-constexpr int kMostLookUps = 16;  // of one deposit: more cost more than a ray
+constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
 
 }  // namespace
 
@@ -68,9 +69,8 @@ void PathPool::castCameraRays(std::span<const CameraSample> samples, float footp
 
 void PathPool::collect(Path& path, const transport::Deposits& deposits) const noexcept {
     const auto look = [&](const transport::Deposit& deposit) {
-        // As much care as it is worth: what is seen through many events counts little.
-        const float weight = std::min(transport::heaviness(deposit.throughput), 1.0f);
-        const int lookUps = 1 + static_cast<int>(kMostLookUps * weight);
+        const int lookUps =
+            transport::lookUpsWorth(transport::heaviness(deposit.throughput), kMostLookUps);
         path.radiance +=
             deposit.throughput * frame_.environment.radiance(deposit.direction, deposit.directionX,
                                                              deposit.directionY, lookUps);
