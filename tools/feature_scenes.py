@@ -108,6 +108,29 @@ class Scene:
         mesh = self.mesh(attributes, self.accessor([0, 1, 2, 0, 2, 3], "SCALAR", "I"), material)
         return self.node(mesh=mesh, translation=[x, y, z])
 
+    def box(self, material, size, x=0.0, y=0.0, z=0.0):
+        positions, normals, uvs, indices = [], [], [], []
+        for axis in range(3):
+            for side in (-1, 1):
+                first = len(positions)
+                for u, v in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                    p, n = [0.0] * 3, [0.0] * 3
+                    p[axis], n[axis] = side * size / 2, float(side)
+                    right, up = (0, 2) if axis == 1 else ((axis + 2) % 3 if axis == 0 else 0, 1)
+                    p[right], p[up] = (u - 0.5) * size, (v - 0.5) * size
+                    positions.append(tuple(p))
+                    normals.append(tuple(n))
+                    uvs.append((u, 1 - v))
+                a, b, c = (positions[first + i] for i in range(3))
+                e, f = [q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]
+                outward = (e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0])[axis] * side > 0
+                corners = (0, 1, 2, 0, 2, 3) if outward else (0, 2, 1, 0, 3, 2)
+                indices += [first + i for i in corners]
+        attributes = {"POSITION": self.accessor(positions, "VEC3"), "NORMAL": self.accessor(normals, "VEC3"),
+                      "TEXCOORD_0": self.accessor(uvs, "VEC2")}
+        mesh = self.mesh(attributes, self.accessor(indices, "SCALAR", "I"), material)
+        return self.node(mesh=mesh, translation=[x, y, z])
+
     def write(self, path):
         self.json["buffers"] = [{"byteLength": len(self.binary)}]
         text = json.dumps({k: v for k, v in self.json.items() if v != []}).encode()
@@ -240,8 +263,27 @@ def group():
     return s
 
 
+GLASS = {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_volume": {"thicknessFactor": 1}}
+
+
+def behind():
+    """A glass ball before a textured box and a rough one, a silver ball that shows all of them."""
+    s = Scene()
+    wood = checker(256, 8, (210, 120, 50, 255), (60, 70, 150, 255))
+    holes = png(256, 256, lambda x, y: (60, 160, 60, 0 if (x % 64 - 32) ** 2 + (y % 64 - 32) ** 2 < 400 else 255))
+    s.sheet(s.material((0.6, 0.6, 0.6, 1), 0, 0.7), 8, 8, y=-0.5, z=-1, lying=True)
+    s.box(s.material((1, 1, 1, 1), 0, 0.6, textures={"baseColorTexture": s.texture(wood)}), 1.0, -0.5, 0.0, -1.6)
+    s.sphere(-0.75, s.material((1, 1, 1, 1), 0, 0, GLASS), name="glass")
+    s.sphere(0.9, s.material((0.96, 0.95, 0.93, 1), 1, 0), name="silver")
+    s.sphere(2.0, s.material((1.0, 0.77, 0.34, 1), 1, 0.35), name="rough gold")
+    s.sphere(-2.0, s.material((0.7, 0.1, 0.08, 1), 0, 0.6), name="clay")
+    s.sheet(s.material((1, 1, 1, 1), 0, 0.8, textures={"baseColorTexture": s.texture(holes)}, alphaMode="MASK",
+                       doubleSided=True), 0.8, 0.8, 0.75, -0.1, -1.3)
+    return s
+
+
 SCENES = {f.__name__: f for f in (metal, plastic, metallic, ior, specular, clearcoat, sheen, anisotropy, iridescence, frosted,
-                                  thin, emission, unlit, blend, textured, mask, colors, group)}
+                                  thin, emission, unlit, blend, textured, mask, colors, group, behind)}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "tukor/gl/lamps.h"
 #include "tukor/gl/shaders.h"
 
 namespace tukor::gl {
@@ -30,24 +31,6 @@ GLint wrapOf(Wrap wrap) {
             break;
     }
     return GL_CLAMP_TO_EDGE;
-}
-
-constexpr std::size_t kMostLamps = 16;  // the brightest would be better; the first is what it takes
-
-/// Four vectors a lamp, in the axes of the environment, from the eye: place and kind, direction and
-/// range, intensity, cone.
-std::vector<glm::vec4> lampsOf(const FinishFrame& frame) {
-    std::vector<glm::vec4> lamps;
-    for (const Light& light : frame.lights) {
-        if (lamps.size() / 4 == kMostLamps) break;
-        const glm::mat3& turn = frame.environmentFromWorld;
-        lamps.emplace_back(turn * (light.position - frame.view.eye),
-                           static_cast<float>(light.kind));
-        lamps.emplace_back(turn * light.direction, light.range);
-        lamps.emplace_back(light.intensity * frame.emissionFactor, 0.0f);
-        lamps.emplace_back(light.cosInner, light.cosOuter, 0.0f, 0.0f);
-    }
-    return lamps;
 }
 
 }  // namespace
@@ -108,7 +91,8 @@ void FinishDrawer::drawPart(const SurfaceBuffers& surfaces, int part, const Fini
     define("FILM", finish.iridescence > 0.0f);
     define("TRANSMISSIVE", finish.transmission > 0.0f);
 
-    std::vector<glm::vec4> lamps = lampsOf(frame);
+    const std::vector<glm::vec4> lamps =
+        lampTable(frame.lights, frame.view.eye, frame.environmentFromWorld, frame.emissionFactor);
     if (!lamps.empty()) defines += fmt::format("#define LAMPS {}\n", lamps.size() / 4);
 
     std::vector<std::size_t> mapped;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "tukor/base/error.h"
-#include "tukor/base/parallel.h"
 #include "tukor/gl/errors.h"
 #include "tukor/gl/full_viewport.h"
 #include "tukor/gl/shaders.h"
@@ -89,12 +88,13 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
         buffers_ = FrameBuffers(window.width, window.height);
 
     const std::vector<Look> looks = looksOf(subject);
-    const bool rasterised = std::any_of(looks.begin(), looks.end(), [](const Look& look) {
-        return look.fidelity == Fidelity::single;
-    });
     const bool traced = std::any_of(looks.begin(), looks.end(), [](const Look& look) {
         return look.fidelity != Fidelity::single;
     });
+    const bool rasterised =
+        tracedScene_.finished() || std::any_of(looks.begin(), looks.end(), [](const Look& look) {
+            return look.fidelity == Fidelity::single;
+        });
     const int perFrame = traced ? 1 : kSamplesPerFrame;
     const int planned = (options.picture.samples.value_or(0) + perFrame - 1) / perFrame;
     const glm::vec2 point = frames_ < planned ? evenPoint(frames_, planned) : evenPoint(frames_);
@@ -108,7 +108,7 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
         if (look.fidelity == Fidelity::single)
             accumulate(look);
         else
-            drawTraced(subject, look);
+            drawTraced(subject, look, point);
     }
     buffers_.swapSums();
     ++frames_;
@@ -146,7 +146,11 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
     // move half as far as it does; a multisampled one has its own spread already and moves only
     // within the quarter that each of its samples stands for.
     const RenderOptions& picture = subject.options.picture;
-    const bool multisampled = frames_ < kMultisampledFrames && picture.samples.value_or(0) < 32;
+    const bool single = std::all_of(looks.begin(), looks.end(), [](const Look& look) {
+        return look.fidelity == Fidelity::single;
+    });
+    const bool multisampled =
+        single && frames_ < kMultisampledFrames && picture.samples.value_or(0) < 32;
     const glm::vec2 jitter = multisampled ? 0.25f * point : point;
     const glm::vec2 footprintMiddle = 0.5f * point - jitter;
     const View view = viewOf(subject.camera, subject.window, jitter, bounds_);
@@ -162,19 +166,22 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
         background_.draw(picture.background, view, turn, footprintMiddle, environment_);
     };
     const FinishFrame frame{
-        view,
-        turn,
-        footprintMiddle,
-        environment_.define(),
-        1.0f / (environment_.scale() * std::max(picture.environmentIntensity, 1e-6f)),
-        lights_};
+        view, turn, footprintMiddle, environment_.define(), unitsPerRadiance(subject), lights_};
     const auto drawFinishes = [&](FinishDrawer::Pass pass) {
         finishes_.draw(surfaces_, materials_, pass, lightChain_, frame);
     };
     glEnable(GL_SCISSOR_TEST);
     for (const Look& look : looks) {
-        if (look.fidelity != Fidelity::single) continue;
         glScissor(look.left, 0, look.right - look.left, subject.window.height);
+        if (look.fidelity != Fidelity::single) {  // smooth surfaces only hide what is behind them
+            glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+            single_.draw(surfaces_, materials_, look.fresnel, view, turn, footprintMiddle,
+                         environment_.define());
+            glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+            drawFinishes(FinishDrawer::Pass::opaque);
+            drawFinishes(FinishDrawer::Pass::blended);
+            continue;
+        }
         if (subject.options.backgroundOrder == BackgroundOrder::first) drawBackground();
         single_.draw(surfaces_, materials_, look.fresnel, view, turn, footprintMiddle,
                      environment_.define());
@@ -200,23 +207,34 @@ void Renderer::accumulate(const Look& look) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-void Renderer::drawTraced(const Subject& subject, const Look& look) {
+float Renderer::unitsPerRadiance(const Subject& subject) const {
+    const float intensity = subject.options.picture.environmentIntensity;
+    return 1.0f / (environment_.scale() * std::max(intensity, 1e-6f));
+}
+
+void Renderer::drawTraced(const Subject& subject, const Look& look, glm::vec2 point) {
     if (!tracedScene_.ready()) throw Error("the scene was prepared for fidelity single alone");
     const RenderOptions& picture = subject.options.picture;
-    const View view = viewOf(subject.camera, subject.window, glm::vec2(0.0f), bounds_);
+    const bool finished = tracedScene_.finished();
+    const View view =
+        viewOf(subject.camera, subject.window, finished ? point : glm::vec2(0.0f), bounds_);
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
     // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
     constexpr float kFootprint = 0.7f;
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
-    constexpr int kSumUnit = 5;  // after the environment and the scene
-    bindTexture(kSumUnit, buffers_.sum());
-    bindTexture(kSumUnit + 1, buffers_.counts());
+    constexpr TracedDrawer::Units kUnits{7, 9, 10};  // after the environment and the scene
+    bindTexture(kUnits.sum, buffers_.sum());
+    bindTexture(kUnits.sum + 1, buffers_.counts());
+    if (finished) {
+        bindTexture(kUnits.raster, buffers_.frame());
+        lightChain_.bind(kUnits.chain);
+    }
     const bool count = counting_ == Counting::all && !subject.options.comparison;
     traced_.draw(tracedScene_, environment_,
                  {view, subject.window, picture, look.fidelity, look.fresnel,
                   environmentFromWorld(picture.environmentRotation),
-                  kFootprint / std::sqrt(samples), frames_},
-                 count ? Counting::all : Counting::none, kSumUnit,
+                  kFootprint / std::sqrt(samples), frames_, lights_, unitsPerRadiance(subject)},
+                 count ? Counting::all : Counting::none, kUnits,
                  {look.left, 0, look.right - look.left, subject.window.height});
 }
 
@@ -242,51 +260,6 @@ void Renderer::present(const DisplayOptions& options, const Viewport& viewport) 
 float Renderer::radiancePerSum() const {
     return environment_.scale() * subject_->options.picture.environmentIntensity /
            static_cast<float>(frames_);
-}
-
-Rendering Renderer::read() {
-    const int width = buffers_.width();
-    const int height = buffers_.height();
-    Rendering rendering;
-    rendering.radiance = Image(width, height);
-    if (frames_ == 0) return rendering;
-    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    std::vector<glm::vec4> sums(count);
-    buffers_.bindSumForReading();
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, sums.data());
-    if (buffers_.counts().id() != 0 && counting_ == Counting::all) {
-        std::vector<glm::vec4> counts(count);
-        glReadBuffer(GL_COLOR_ATTACHMENT1);
-        glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, counts.data());
-        glReadBuffer(GL_COLOR_ATTACHMENT0);
-        glm::dvec4 total(0.0);
-        for (const glm::vec4& pixel : counts) total += glm::dvec4(pixel);
-        rendering.rays = static_cast<std::uint64_t>(total.x);
-        rendering.leaks = static_cast<std::uint64_t>(total.y);
-        rendering.inconsistencies = static_cast<std::uint64_t>(total.z);
-        rendering.truncated = static_cast<std::uint64_t>(total.w);
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    throwPendingErrors("reading the picture");
-
-    const bool transparent = subject_->options.picture.background == Background::none;
-    if (transparent) rendering.radiance.alpha.resize(count);
-    const float factor = radiancePerSum();
-    const float coverage = 1.0f / static_cast<float>(frames_);
-    parallelFor(0, height, 64, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            const auto from = static_cast<std::size_t>(height - 1 - row) *
-                              static_cast<std::size_t>(width);  // OpenGL's rows go up
-            const auto to = static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i) {
-                rendering.radiance.pixels()[to + i] = factor * glm::vec3(sums[from + i]);
-                if (transparent) rendering.radiance.alpha[to + i] = coverage * sums[from + i].w;
-            }
-        }
-    });
-    return rendering;
 }
 
 }  // namespace tukor::gl

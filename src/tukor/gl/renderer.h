@@ -123,7 +123,8 @@ private:
     [[nodiscard]] std::vector<Look> askedLooks(const Subject& subject) const;
     void drawRasterised(const Subject& subject, const std::vector<Look>& looks, glm::vec2 point);
     void accumulate(const Look& look);
-    void drawTraced(const Subject& subject, const Look& look);
+    void drawTraced(const Subject& subject, const Look& look, glm::vec2 point);
+    [[nodiscard]] float unitsPerRadiance(const Subject& subject) const;
 
     [[nodiscard]] float radiancePerSum() const;
 

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "tukor/gl/full_viewport.h"
+#include "tukor/gl/lamps.h"
+#include "tukor/gl/light_chain.h"
 #include "tukor/gl/shaders.h"
 
 namespace tukor::gl {
@@ -26,11 +28,11 @@ int tileSize(int rayBudget) {
 }  // namespace
 
 const Program& TracedDrawer::programFor(Fidelity fidelity, FresnelForm fresnel,
-                                        std::string_view environmentDefine, Counting counting) {
+                                        std::string_view sceneDefines, Counting counting) {
     const std::string defines =
         fmt::format("#define FIDELITY {}\n#define FRESNEL {}\n#define COUNTING {}\n{}",
                     static_cast<int>(fidelity), static_cast<int>(fresnel),
-                    counting == Counting::all ? 1 : 0, environmentDefine);
+                    counting == Counting::all ? 1 : 0, sceneDefines);
     const auto found = programs_.find(defines);
     if (found != programs_.end()) return found->second;
     return programs_
@@ -39,20 +41,33 @@ const Program& TracedDrawer::programFor(Fidelity fidelity, FresnelForm fresnel,
 }
 
 void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environment,
-                        const Frame& frame, Counting counting, int sumUnit, const Region& region) {
-    const Program& program =
-        programFor(frame.fidelity, frame.fresnel, environment.define(), counting);
+                        const Frame& frame, Counting counting, const Units& units,
+                        const Region& region) {
+    std::string defines = std::string(environment.define()) + scene.defines();
+    const std::vector<glm::vec4> lamps =
+        lampTable(frame.lights, frame.view.eye, frame.environmentFromWorld, frame.emissionFactor);
+    if (scene.finished() && !lamps.empty())
+        defines += fmt::format("#define LAMPS {}\n", lamps.size() / 4);
+    const Program& program = programFor(frame.fidelity, frame.fresnel, defines, counting);
     const RenderOptions& options = frame.options;
     environment.bind(0);
     program.set("environment", 0);
     program.set("environmentFaceSize", environment.faceSize());
     program.set("environmentFromWorld", frame.environmentFromWorld);
     scene.bind(program, 1, frame.view.eye);
-    program.set("sum", sumUnit);
-    program.set("counted", sumUnit + 1);
+    program.set("sum", units.sum);
+    program.set("counted", units.sum + 1);
+    if (scene.finished()) {
+        program.set("raster", units.raster);
+        program.set("chain", units.chain);
+        program.set("table", units.chain + 1);
+        program.set("lastLevel", static_cast<float>(kChainLevels - 1));
+        program.set("unlitFactor", frame.emissionFactor);
+        if (!lamps.empty()) program.set("lamps[0]", lamps);
+    }
     program.set("first", frame.number == 0 ? 1 : 0);
     program.set("frame", static_cast<std::uint32_t>(frame.number));
-    program.set("centred", options.samples.value_or(0) == 1 ? 1 : 0);
+    program.set("centred", scene.finished() || options.samples.value_or(0) == 1 ? 1 : 0);
     program.set("pictureSeed", options.seed);
     const PictureWindow& window = frame.window;
     program.set("topLeft",

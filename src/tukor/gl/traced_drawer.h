@@ -2,6 +2,8 @@
 #pragma once
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tukor/gl/environment_texture.h"
 #include "tukor/gl/frame_buffers.h"
@@ -23,6 +25,15 @@ public:
         glm::mat3 environmentFromWorld;
         float footprintScale;  // distance of neighbouring samples, in pixels
         int number;            // 0: the first of the sum
+        const std::vector<Light>& lights;
+        float emissionFactor;  // from radiance to units of the frame
+    };
+    /// Texture units of what the renderer has bound: the sum, its counts beside it, what was drawn
+    /// of surfaces with a finish, the light chain and its table.
+    struct Units {
+        int sum;
+        int raster;
+        int chain;
     };
     /// The region of the bound framebuffer to draw.
     struct Region {
@@ -32,14 +43,15 @@ public:
         int height;
     };
 
-    /// Adds the frame to the sum in texture unit `sumUnit` (and to the counts in the unit after it)
-    /// and writes the result into the bound framebuffer; in tiles, so that no draw call lasts long.
+    /// Adds the frame to the sum and writes the result into the bound framebuffer; in tiles, so
+    /// that no draw call lasts long. Where the scene has finishes all pixels look through the same
+    /// place: that of the view, with which they were drawn.
     void draw(TracedScene& scene, const EnvironmentTexture& environment, const Frame& frame,
-              Counting counting, int sumUnit, const Region& region);
+              Counting counting, const Units& units, const Region& region);
 
 private:
-    const Program& programFor(Fidelity fidelity, FresnelForm fresnel,
-                              std::string_view environmentDefine, Counting counting);
+    const Program& programFor(Fidelity fidelity, FresnelForm fresnel, std::string_view sceneDefines,
+                              Counting counting);
 
     std::map<std::string, Program> programs_;  // by their defines; compiled when first used
 };

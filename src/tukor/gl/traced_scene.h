@@ -1,9 +1,11 @@
 // A scene as the tracing shader reads it: triangles and their tree, materials, media.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "tukor/geometry/bvh.h"
+#include "tukor/gl/finish_tables.h"
 #include "tukor/gl/handles.h"
 #include "tukor/gl/program.h"
 #include "tukor/scene/scene.h"
@@ -23,7 +25,15 @@ public:
     /// The scene has other materials now; one per part.
     void setMaterials(const std::vector<Material>& materials);
 
-    /// Binds the textures from `unit` on, four of them, and sets the uniforms of traced.frag that
+    /// Whether some part had a finish when the scene was given.
+    [[nodiscard]] bool finished() const noexcept { return finishes_.has_value(); }
+
+    /// Lines of #define for traced.frag.
+    [[nodiscard]] const char* defines() const noexcept {
+        return finishes_ ? finishes_->defines() : "";
+    }
+
+    /// Binds the textures from `unit` on, six of them, and sets the uniforms of traced.frag that
     /// belong to the scene; `eye` decides the media that a camera ray starts in.
     void bind(const Program& program, int unit, glm::vec3 eye);
 
@@ -37,6 +47,7 @@ private:
     Texture triangles_;
     Texture normals_;
     Texture surfaces_;
+    std::optional<FinishTables> finishes_;  // none where no part has one
     glm::vec3 eye_{0.0f};
     std::uint32_t eyeMedia_ = 0;
     bool eyeKnown_ = false;

@@ -6,13 +6,12 @@
 // UNLIT, CLEARCOAT, SHEEN, ANISOTROPIC, FILM, TRANSMISSIVE: what it has. MAP_...: its textures, numbered as
 // TextureRole has them.
 #include "tukor/gl/shaders/environment.glsl"
+#include "tukor/gl/shaders/lamplight.glsl"
+#include "tukor/gl/shaders/split_sum.glsl"
 #include "tukor/optics/directions.h"
 #include "tukor/optics/fresnel.h"
 #include "tukor/optics/microfacet.h"
 #include "tukor/optics/thin_film.h"
-uniform samplerCube chain;  // perceptual roughness from 0 to 1 over its levels
-uniform sampler2D table;    // columns: root of the cosine, rows: roughness
-uniform float lastLevel;
 uniform vec4 places[32];  // of each texture: its matrix, by columns, and its set of coordinates
 uniform sampler2D map0, map1, map2, map3, map4, map5, map6, map7;
 uniform sampler2D map8, map9, map10, map11, map12, map13, map14, map15;
@@ -46,25 +45,6 @@ vec2 placeOf(int role) {
     vec4 m = places[2 * role];
     return m.xy * p.x + m.zw * p.y + more.xy;
 }
-
-// What a surface of this roughness sees around `d`; `sharp` is the environment there.
-vec3 blurred(vec3 d, float roughness, vec3 sharp) {
-    float level = clamp(roughness, 0.0, 1.0) * lastLevel;
-    vec3 L = textureLod(chain, d, max(level, 1.0)).rgb;
-    return level < 1.0 ? mix(sharp, L, level) : L;
-}
-
-vec3 split(float cosTheta, float roughness) {
-    float nodes = float(textureSize(table, 0).x);
-    vec2 node = clamp(vec2(sqrt(max(cosTheta, 0.0)), roughness), 0.0, 1.0);
-    return textureLod(table, (node * (nodes - 1.0) + 0.5) / nodes, 0.0).rgb;
-}
-
-struct TangentFrame {
-    vec3 t;
-    vec3 b;
-    vec3 n;
-};
 
 // Of the front side, from the mesh or along the first texture's coordinates.
 TangentFrame frameOf(vec3 n, bool front) {
@@ -104,53 +84,6 @@ vec3 turnedTo(vec3 n, vec3 wo) {
     float c = dot(n, wo);
     return c >= 1e-3 ? n : normalize(n + (2e-3 - c) * wo);
 }
-
-#ifdef LAMPS
-uniform vec4 lamps[4 * LAMPS];  // place and kind, direction and range, intensity, cone
-
-// Of all lamps: the light on a diffuse white surface, and what facets of index `a` send to `wo` of a
-// white one, for F0 and F90 apart. [KHR_lights_punctual]
-struct Lamplight {
-    vec3 matt;
-    vec3 scale;
-    vec3 bias;
-};
-
-Lamplight lamplight(TangentFrame f, vec3 wo, vec2 a) {
-    Lamplight sum;
-    sum.matt = vec3(0.0);
-    sum.scale = vec3(0.0);
-    sum.bias = vec3(0.0);
-    vec3 o = vec3(dot(wo, f.t), dot(wo, f.b), max(dot(wo, f.n), 1e-3));
-    float lambdaOut = ggxLambda(o, a);
-    for (int i = 0; i < LAMPS; i++) {
-        vec4 place = lamps[4 * i], direction = lamps[4 * i + 1], cone = lamps[4 * i + 3];
-        vec3 E = lamps[4 * i + 2].rgb;
-        vec3 to = -direction.xyz;
-        if (place.w > 0.5) {
-            to = place.xyz - fromEye;
-            float distance2 = max(dot(to, to), 1e-12);
-            to *= inversesqrt(distance2);
-            float part = distance2 / (direction.w * direction.w);
-            E *= (direction.w > 0.0 ? clamp(1.0 - part * part, 0.0, 1.0) : 1.0) / distance2;
-        }
-        if (place.w > 1.5) {
-            float share = clamp((-dot(to, direction.xyz) - cone.y) / max(cone.x - cone.y, 1e-4), 0.0, 1.0);
-            E *= share * share;
-        }
-        vec3 wi = vec3(dot(to, f.t), dot(to, f.b), dot(to, f.n));
-        if (wi.z <= 0.0) continue;
-        vec3 h = normalize(wi + o);
-        float m = 1.0 - clamp(dot(h, wi), 0.0, 1.0);
-        float grazing = m * m * m * m * m;
-        vec3 glint = E * (ggxDistribution(h, a) / (4.0 * o.z * (1.0 + lambdaOut + ggxLambda(wi, a))));
-        sum.matt += E * (wi.z * 0.31830989);
-        sum.scale += glint * (1.0 - grazing);
-        sum.bias += glint * grazing;
-    }
-    return sum;
-}
-#endif
 
 void main() {
     vec4 base = baseColor * color;
@@ -249,7 +182,7 @@ void main() {
     turned.t = normalize(frame.t - dot(frame.t, n) * n);
     turned.b = cross(n, turned.t);
     float alpha = max(roughness * roughness, 1e-3);
-    Lamplight lit = lamplight(turned, wo, vec2(alpha));
+    Lamplight lit = lamplight(turned, wo, vec2(alpha), fromEye);
     float missing = 1.0 / max(terms.x + terms.y, 1e-3) - 1.0;
     vec3 lampMetal = (metalF0 * lit.scale + lit.bias) * (vec3(1.0) + metalF0 * missing);
     vec3 lampMat = (F0 * lit.scale + weight * lit.bias) * (vec3(1.0) + F0 * missing);

@@ -3,7 +3,7 @@
 // triangles of the scene. The host of tukor/transport/path_tree.h in GLSL.
 //
 // FIDELITY and FRESNEL are those of the transport: compilers leave out the rest. COUNTING: 1 adds a second output with what
-// happened on the way.
+// happened on the way. FINISHES: there are surfaces that are not ideally smooth; what the camera sees of them was drawn before.
 #include "tukor/gl/shaders/environment.glsl"
 #include "tukor/geometry/bvh_traversal.h"
 #include "tukor/transport/look_ups.h"
@@ -22,7 +22,7 @@ uniform bool background;  // false: nothing is seen where the camera ray meets n
 
 uniform uint eyeMedia;   // what the eye is inside of
 uniform vec4 media[32];  // index against vacuum and absorption of the dielectrics
-uniform usampler2D surfaces;  // three texels a part, see traced_scene.cpp
+uniform usampler2D surfaces;  // nine texels a part, see traced_scene.cpp and finish_hit.glsl
 
 uniform int rayBudget;
 uniform int maxDepth;
@@ -43,6 +43,10 @@ uniform sampler2D counted;
 layout(location = 1) out vec4 counts;  // rays, leaks, inconsistencies, truncated
 #endif
 
+#ifdef FINISHES
+#include "tukor/gl/shaders/finish_hit.glsl"
+#endif
+
 // That of triangle 0 where none was found.
 SurfaceHit surfaceHit(BvhHit found) {
     BvhSurface triangle = bvhSurface(max(found.triangle, 0));
@@ -55,7 +59,7 @@ SurfaceHit surfaceHit(BvhHit found) {
     hit.normalE2 = triangle.n2 - triangle.n0;
     hit.normal = triangle.n0 + found.u * hit.normalE1 + found.v * hit.normalE2;
     hit.triangle = found.triangle;
-    ivec2 place = ivec2(3 * (triangle.part & 255), triangle.part >> 8);
+    ivec2 place = ivec2(9 * (triangle.part & 127), triangle.part >> 7);
     uvec4 kind = texelFetch(surfaces, place, 0);
     uvec4 a = texelFetch(surfaces, place + ivec2(1, 0), 0);
     uvec4 b = texelFetch(surfaces, place + ivec2(2, 0), 0);
@@ -115,6 +119,11 @@ void main() {
     Tree tree = startTree(ray, sampleSeed(seed, frame));
     Rounding rounding = exactSoFar();
     vec4 radiance = vec4(0.0, 0.0, 0.0, 1.0);
+    bool direct = true;  // the camera sees it, through nothing but what was drawn before
+#ifdef FINISHES
+    vec4 drawn = eyeMedia == 0u ? texelFetch(raster, pixel, 0) : vec4(0.0);
+    if (drawn.a >= 1.0) tree.alive = false;
+#endif
     while (tree.alive) {
         Deposits deposits = noDeposits();
         if (spent(tree, settings)) {
@@ -128,6 +137,12 @@ void main() {
             SurfaceHit hit = surfaceHit(found);
             Encounter met = encounter(tree.branch, hit);
             bool agrees = any ? met.consistent : tree.branch.media == 0u;
+#ifdef FINISHES
+            int part = bvhSurface(max(found.triangle, 0)).part;
+            uint kind = texelFetch(surfaces, ivec2(9 * (part & 127), part >> 7), 0).w;
+            bool finished = any && (kind & kFinished) != 0u;
+            agrees = agrees || finished;  // sheets have two sides
+#endif
             float nearness = nearnessToEdge(found.u, found.v, tree.branch.direction, met.face.ng);
             if (triesAgain(rounding, tree.branch, any, found.t, nearness, agrees)) {
                 if (rounding.nudged) {
@@ -137,10 +152,27 @@ void main() {
                 continue;
             }
             rounding = exactSoFar();
+#ifdef FINISHES
+            if (finished) {
+                Branch at = tree.branch;
+                at.throughput *= transmittance(mediumAt(met.from).sigmaA, hit.distance);
+                at.footprint = footprintAtSurface(at.footprint, at.direction, hit.distance, met.face.ng);
+                at.origin = hit.position;
+                at.skip = hit.triangle;
+                FinishLook look = finishLook(kind, part, found, hit, met, at);
+                if (direct && eyeMedia == 0u && (kind & (kMasked | kBlended)) != 0u) look.alpha = 0.0;
+                radiance.rgb += at.throughput * look.alpha * look.L;
+                at.throughput *= 1.0 - look.alpha;
+                tree.branch = at;
+                if (heaviness(at.throughput) <= settings.weightCutoff) endBranch(tree);
+                continue;
+            }
+#endif
+            direct = direct && !any;
             if (any) {
                 deposits = scatter(tree, hit, met, mediumAt(met.from), mediumAt(met.to), settings);
             } else {
-                bool nothing = tree.branch.depth == 0 && tree.branch.skip < 0 && !background;
+                bool nothing = tree.branch.depth == 0 && direct && !background;
                 deposits = escape(tree);
                 if (nothing) {
                     radiance.a = 0.0;
@@ -152,6 +184,9 @@ void main() {
         if (deposits.count > 1) radiance.rgb += radianceOf(deposits.second);
     }
 
+#ifdef FINISHES
+    radiance = drawn + max(1.0 - drawn.a, 0.0) * radiance;
+#endif
     fragmentColor = first ? radiance : texelFetch(sum, pixel, 0) + radiance;
 #if COUNTING == 1
     vec4 happened = vec4(float(tree.rays), float(tree.leaks), float(tree.inconsistencies), float(tree.truncated));
