@@ -80,7 +80,8 @@ private:
                 (void)transport::escape(trees[i]);
                 continue;
             }
-            const transport::SurfaceHit surface = surfaces_.at(hit);
+            const transport::SurfaceHit surface =
+                surfaces_.at(hit, trees[i].branch.origin, trees[i].branch.direction);
             const transport::Encounter met = transport::encounter(trees[i].branch, surface);
             (void)transport::scatter(trees[i], surface, met, surfaces_.medium(met.from),
                                      surfaces_.medium(met.to), settings_);

@@ -5,6 +5,7 @@
 #include "tukor/gl/eye_media.h"
 #include "tukor/gl/table.h"
 #include "tukor/scene/media.h"
+#include "tukor/scene/spheres.h"
 
 namespace tukor::gl {
 
@@ -20,10 +21,17 @@ constexpr std::size_t kPartsPerRow = 128;  // as traced.frag has it
 }  // namespace
 
 TracedScene::TracedScene(const Scene& scene) {
+    const Mesh nothing;
+    const std::vector<std::optional<Sphere>> spheres = spheresOf(scene);
     std::vector<const Mesh*> meshes;
     std::vector<Material> materials;
-    for (const Part& part : scene.parts) {
-        meshes.push_back(&part.mesh);
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const Part& part = scene.parts[i];
+        meshes.push_back(spheres[i] ? &nothing : &part.mesh);
+        if (spheres[i]) {
+            spheres_.emplace_back(spheres[i]->centre, spheres[i]->radius);
+            spheres_.emplace_back(static_cast<float>(i), 0.0f, 0.0f, 0.0f);
+        }
         materials.push_back(part.material);
         const Bounds bounds = boundsOf(part.mesh);
         Part outline{part.name, part.materialName, part.material, {}};
@@ -76,6 +84,10 @@ void TracedScene::bind(const Program& program, int unit, glm::vec3 eye) {
     if (!eyeKnown_ || eye != eye_) {
         eye_ = eye;
         eyeMedia_ = mediaAround(eye, bvh_, insideOfPart_);
+        for (std::size_t i = 0; i < spheres_.size(); i += 2) {
+            if (glm::distance(eye, glm::vec3(spheres_[i])) < spheres_[i].w)
+                eyeMedia_ |= insideOfPart_[static_cast<std::size_t>(spheres_[i + 1].x)];
+        }
         eyeKnown_ = true;
     }
     bindTexture(unit, nodes_);
@@ -87,6 +99,8 @@ void TracedScene::bind(const Program& program, int unit, glm::vec3 eye) {
     program.set("bvhTriangles", unit + 1);
     program.set("bvhNormals", unit + 2);
     program.set("surfaces", unit + 3);
+    program.set("sphereCount", static_cast<int>(spheres_.size() / 2));
+    program.set("spheres[0]", spheres_);
     program.set("eyeMedia", eyeMedia_);
     program.set("media[0]", media_);
 }

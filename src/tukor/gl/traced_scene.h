@@ -40,7 +40,8 @@ public:
 private:
     /// Names, materials and bounds of the parts: each mesh has two corners of its box alone.
     Scene outline_;
-    Bvh bvh_;  // for the media around the eye; normals are on the GPU alone
+    Bvh bvh_;                         // for the media around the eye; normals are on the GPU alone
+    std::vector<glm::vec4> spheres_;  // parts that are whole spheres, as traced.frag has them
     std::vector<std::uint32_t> insideOfPart_;
     std::vector<glm::vec4> media_;
     Texture nodes_;

@@ -28,7 +28,7 @@ std::uint32_t mediaAlong(glm::vec3 origin, glm::vec3 direction, const SurfaceTab
     for (int i = 0; i < 4096; ++i) {  // far above any real model; ends rays caught between doubles
         const RayHit hit = caster.cast(origin, direction, skip);
         if (hit.surface < 0) break;
-        const transport::SurfaceHit surface = surfaces.at(hit);
+        const transport::SurfaceHit surface = surfaces.at(hit, origin, direction);
         const int sign = dot(direction, cross(surface.e1, surface.e2)) > 0.0f ? 1 : -1;
         count(crossings, surface.inside, sign);
         count(crossings, surface.outside, -sign);

@@ -42,7 +42,8 @@ int bouncesAlong(const Frame& frame, const transport::Branch& ray) {
             (void)transport::escape(tree);
             continue;
         }
-        const transport::SurfaceHit surface = frame.surfaces.at(hit);
+        const transport::SurfaceHit surface =
+            frame.surfaces.at(hit, tree.branch.origin, tree.branch.direction);
         const transport::Encounter met = transport::encounter(tree.branch, surface);
         most = std::max(most, tree.branch.depth + 1);
         (void)transport::scatter(tree, surface, met, frame.surfaces.medium(met.from),
@@ -58,7 +59,9 @@ glm::vec3 layerValue(const Frame& frame, AovLayer layer, const transport::Branch
         case AovLayer::depth:
             return glm::vec3(hit.distance);
         case AovLayer::normal:
-            return transport::facingSurface(frame.surfaces.at(hit), ray.direction).n;
+            return transport::facingSurface(frame.surfaces.at(hit, ray.origin, ray.direction),
+                                            ray.direction)
+                .n;
         case AovLayer::material:
             return glm::vec3(static_cast<float>(hit.surface + 1));
         case AovLayer::bounces:

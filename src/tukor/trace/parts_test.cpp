@@ -105,7 +105,7 @@ TEST(RayCaster, DoesNotSeeTheTriangleThatItLeaves) {
         const RayHit hit = caster.cast(4.0f * d, -d, -1);
         if (hit.surface < 0) continue;
         ++met;
-        const transport::SurfaceHit surface = surfaces.at(hit);
+        const transport::SurfaceHit surface = surfaces.at(hit, 4.0f * d, -d);
         const RayHit next = caster.cast(surface.position, d, surface.triangle);
         same += next.surface >= 0 && surfaces.number(next) == surface.triangle;
     }

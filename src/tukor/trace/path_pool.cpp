@@ -84,7 +84,7 @@ void PathPool::meet(Path& path, RayHit hit) noexcept {
     transport::SurfaceHit surface;
     transport::Encounter met;
     const auto look = [&] {
-        surface = frame_.surfaces.at(hit);
+        surface = frame_.surfaces.at(hit, ray.origin, ray.direction);
         met = transport::encounter(ray, surface);
     };
     if (hit.surface < 0 && ray.media != 0u) hit = withoutRounding(frame_, ray, hit);

@@ -27,6 +27,38 @@ void skipOwnTriangle(const RTCFilterFunctionNArguments* args) {
 
 constexpr unsigned kNoTriangle = std::numeric_limits<unsigned>::max();  // no surface has 2^32
 
+const SurfaceTable::Entry& entryOf(void* userData) {
+    return *static_cast<const SurfaceTable::Entry*>(userData);
+}
+
+void boundsOfSphere(const RTCBoundsFunctionArguments* args) {
+    const Sphere& sphere = *entryOf(args->geometryUserPtr).sphere;
+    const float reach = sphere.radius * (1.0f + 1e-6f);
+    const glm::vec3 least = sphere.centre - reach, most = sphere.centre + reach;
+    *args->bounds_o = {least.x, least.y, least.z, 0.0f, most.x, most.y, most.z, 0.0f};
+}
+
+void meetSphere(const RTCIntersectFunctionNArguments* args) {
+    const SurfaceTable::Entry& entry = entryOf(args->geometryUserPtr);
+    const unsigned n = args->N;
+    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, n);
+    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
+    for (unsigned i = 0; i < n; ++i) {
+        if (args->valid[i] != -1) continue;
+        const bool leaves = RTCRayN_id(rays, n, i) == static_cast<unsigned>(entry.firstTriangle);
+        const float t = geometry::sphereDistance(
+            {RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
+            {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
+            entry.sphere->centre, entry.sphere->radius, RTCRayN_tnear(rays, n, i), leaves);
+        if (!(t > 0.0f) || t >= RTCRayN_tfar(rays, n, i)) continue;
+        RTCRayN_tfar(rays, n, i) = t;
+        RTCHitN_u(hits, n, i) = RTCHitN_v(hits, n, i) = 1.0f / 3.0f;
+        RTCHitN_primID(hits, n, i) = 0;
+        RTCHitN_geomID(hits, n, i) = args->geomID;
+        RTCHitN_instID(hits, n, i, 0) = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
 }  // namespace
 
 struct RayCaster::Embree {
@@ -47,7 +79,16 @@ struct RayCaster::Embree {
                                     : fmt::format("error {}", static_cast<int>(code))));
     }
 
-    void add(const SurfaceTable::Entry& entry) {
+    void addSphere(const SurfaceTable::Entry& entry) {
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, 1);
+        rtcSetGeometryUserData(geometry, const_cast<SurfaceTable::Entry*>(&entry));
+        rtcSetGeometryBoundsFunction(geometry, boundsOfSphere, nullptr);
+        rtcSetGeometryIntersectFunction(geometry, meetSphere);
+        attach(geometry);
+    }
+
+    void addTriangles(const SurfaceTable::Entry& entry) {
         if (entry.indices.empty()) return;
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
@@ -59,6 +100,10 @@ struct RayCaster::Embree {
         rtcSetGeometryUserData(
             geometry, reinterpret_cast<void*>(static_cast<std::uintptr_t>(entry.firstTriangle)));
         rtcSetGeometryIntersectFilterFunction(geometry, skipOwnTriangle);
+        attach(geometry);
+    }
+
+    void attach(RTCGeometry geometry) {
         rtcCommitGeometry(geometry);
         rtcAttachGeometryByID(scene, geometry, number_);
         rtcReleaseGeometry(geometry);
@@ -66,7 +111,7 @@ struct RayCaster::Embree {
 
     void addAll(const SurfaceTable& surfaces) {
         for (const SurfaceTable::Entry& entry : surfaces.entries()) {
-            add(entry);
+            entry.sphere ? addSphere(entry) : addTriangles(entry);
             ++number_;
         }
     }

@@ -50,7 +50,7 @@ float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction,
         const RayHit hit = caster_.cast(origin, direction, skip);
         if (hit.surface < 0 || hit.distance > distance) return left;
         if (!concerns(hit)) break;
-        const transport::SurfaceHit surface = surfaces_.at(hit);
+        const transport::SurfaceHit surface = surfaces_.at(hit, origin, direction);
         left *= finishes_.clearness(hit, surface);
         if (!(left > 0.0f)) break;
         origin = surface.position;

@@ -10,7 +10,8 @@ RayHit withoutRounding(const Frame& frame, transport::Branch& ray, const RayHit&
     const auto triesAgain = [&] {
         if (next.surface < 0)
             return transport::triesAgain(rounding, ray, false, 0.0f, 0.0f, ray.media == 0u);
-        const auto met = transport::encounter(ray, frame.surfaces.at(next));
+        const auto met =
+            transport::encounter(ray, frame.surfaces.at(next, ray.origin, ray.direction));
         const float nearness =
             transport::nearnessToEdge(next.u, next.v, ray.direction, met.face.ng);
         return transport::triesAgain(rounding, ray, true, next.distance, nearness, met.consistent);

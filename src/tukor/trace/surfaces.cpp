@@ -8,6 +8,7 @@
 
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
+#include "tukor/scene/spheres.h"
 
 namespace tukor::trace {
 
@@ -18,11 +19,12 @@ static_assert(static_cast<int>(MaterialKind::dielectric) == transport::kDielectr
 namespace {
 
 std::vector<Surface> surfacesOf(const Scene& scene, const MediaTable& table) {
+    const std::vector<std::optional<Sphere>> spheres = spheresOf(scene);
     std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const int medium = table.mediumOfPart[i];
-        surfaces.push_back(
-            {&scene.parts[i].mesh, scene.parts[i].material, medium < 0 ? 0u : 1u << medium, 0u});
+        surfaces.push_back({&scene.parts[i].mesh, scene.parts[i].material,
+                            medium < 0 ? 0u : 1u << medium, 0u, spheres[i]});
     }
     return surfaces;
 }
@@ -39,6 +41,18 @@ SurfaceTable::Triangle triangleOf(const Mesh& mesh, glm::uvec3 corners) {
     t.normalE1 = normal(corners.y) - t.n0;
     t.normalE2 = normal(corners.z) - t.n0;
     return t;
+}
+
+void addTriangles(SurfaceTable::Entry& entry, const Mesh& mesh) {
+    entry.positions = mesh.positions;
+    entry.positions.emplace_back(0.0f);
+    entry.indices = mesh.triangles;
+    entry.triangles.resize(mesh.triangles.size());
+    parallelFor(0, static_cast<int>(mesh.triangles.size()), 4096, [&](int begin, int end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            entry.triangles[i] = triangleOf(mesh, mesh.triangles[i]);
+        }
+    });
 }
 
 }  // namespace
@@ -60,19 +74,12 @@ SurfaceTable::SurfaceTable(const std::vector<Surface>& surfaces,
         Entry& entry = entries_.emplace_back();
         const Mesh& mesh = *surface.mesh;
         entry.firstTriangle = static_cast<int>(triangles);
-        triangles += mesh.triangles.size();
+        triangles += surface.sphere ? 1 : mesh.triangles.size();
         if (triangles > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
             throw Error(fmt::format("{} triangles; at most 2^31 can be rendered", triangles));
         }
-        entry.positions = mesh.positions;
-        entry.positions.emplace_back(0.0f);
-        entry.indices = mesh.triangles;
-        entry.triangles.resize(mesh.triangles.size());
-        parallelFor(0, static_cast<int>(mesh.triangles.size()), 4096, [&](int begin, int end) {
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-                entry.triangles[i] = triangleOf(mesh, mesh.triangles[i]);
-            }
-        });
+        entry.sphere = surface.sphere;
+        if (!surface.sphere) addTriangles(entry, mesh);
         entry.material = surface.material;
         entry.inside = surface.inside;
         entry.outside = surface.outside;
@@ -89,6 +96,7 @@ glm::vec3 SurfaceTable::centre(int number) const noexcept {
         std::upper_bound(entries_.begin(), entries_.end(), number,
                          [](int n, const Entry& entry) { return n < entry.firstTriangle; });
     const Entry& entry = *std::prev(after);
+    if (entry.sphere) return entry.sphere->centre;
     const Triangle& t = entry.triangles[static_cast<std::size_t>(number - entry.firstTriangle)];
     return t.v0 + (t.e1 + t.e2) / 3.0f;
 }

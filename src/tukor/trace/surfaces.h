@@ -1,10 +1,13 @@
-// The triangles of a scene as the transport wants them: from a hit's barycentric coordinates to a
-// SurfaceHit.
+// The surfaces of a scene as the transport wants them: from a hit to a SurfaceHit, on triangles by
+// barycentric coordinates, on whole spheres in closed form.
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "tukor/geometry/sphere_hit.h"
+#include "tukor/geometry/whole_sphere.h"
 #include "tukor/scene/media.h"
 #include "tukor/scene/scene.h"
 #include "tukor/transport/path_tree.h"
@@ -17,9 +20,11 @@ struct Surface {
     Material material;
     std::uint32_t inside = 0;
     std::uint32_t outside = 0;
+    std::optional<Sphere> sphere{};  // what the mesh stands for
 };
 
-/// Where a ray met which triangle; `surface` is -1 where it met none.
+/// Where a ray met which triangle; `surface` is -1 where it met none. A sphere is its surface's one
+/// triangle, met in the middle.
 struct RayHit {
     float distance;
     float u;
@@ -42,6 +47,7 @@ public:
         glm::vec3 n0, normalE1, normalE2;
     };
     struct Entry {
+        std::optional<Sphere> sphere;      // then there are no triangles
         std::vector<glm::vec3> positions;  // and one more, which Embree reads 4 bytes of
         std::vector<glm::uvec3> indices;
         std::vector<Triangle> triangles;
@@ -63,30 +69,43 @@ public:
         return entries_[static_cast<std::size_t>(hit.surface)].firstTriangle + hit.triangle;
     }
 
-    /// The centre of gravity of a triangle by its number.
+    /// The centre of gravity of a triangle, or the centre of a sphere, by its number.
     [[nodiscard]] glm::vec3 centre(int number) const noexcept;
 
     /// Starts to bring in what at() reads.
     void prefetch(const RayHit& hit) const noexcept {
         if (hit.surface < 0) return;
         const Entry& entry = entries_[static_cast<std::size_t>(hit.surface)];
+        if (entry.sphere) return;
         const Triangle* t = &entry.triangles[static_cast<std::size_t>(hit.triangle)];
         __builtin_prefetch(t);
         __builtin_prefetch(&t->normalE2);
     }
 
-    /// `hit` must be one.
-    [[nodiscard]] transport::SurfaceHit at(const RayHit& hit) const noexcept {
+    /// What a ray met: `hit` must be one, of a ray from `origin` in the unit `direction`.
+    [[nodiscard]] transport::SurfaceHit at(const RayHit& hit, glm::vec3 origin,
+                                           glm::vec3 direction) const noexcept {
         const Entry& entry = entries_[static_cast<std::size_t>(hit.surface)];
-        const Triangle& t = entry.triangles[static_cast<std::size_t>(hit.triangle)];
         transport::SurfaceHit s;
         s.distance = hit.distance;
-        s.e1 = t.e1;
-        s.e2 = t.e2;
-        s.position = t.v0 + hit.u * t.e1 + hit.v * t.e2;
-        s.normalE1 = t.normalE1;
-        s.normalE2 = t.normalE2;
-        s.normal = t.n0 + hit.u * t.normalE1 + hit.v * t.normalE2;
+        if (entry.sphere) {
+            const geometry::SpherePoint p = geometry::spherePoint(
+                origin, direction, hit.distance, entry.sphere->centre, entry.sphere->radius);
+            s.e1 = p.e1;
+            s.e2 = p.e2;
+            s.position = p.position;
+            s.normalE1 = p.e1 / entry.sphere->radius;
+            s.normalE2 = p.e2 / entry.sphere->radius;
+            s.normal = p.normal;
+        } else {
+            const Triangle& t = entry.triangles[static_cast<std::size_t>(hit.triangle)];
+            s.e1 = t.e1;
+            s.e2 = t.e2;
+            s.position = t.v0 + hit.u * t.e1 + hit.v * t.e2;
+            s.normalE1 = t.normalE1;
+            s.normalE2 = t.normalE2;
+            s.normal = t.n0 + hit.u * t.normalE1 + hit.v * t.normalE2;
+        }
         s.triangle = entry.firstTriangle + hit.triangle;
         s.kind = static_cast<int>(entry.material.kind);
         s.tint = entry.material.tint;

@@ -56,7 +56,7 @@ FinishLook finishLook(uint kind, int part, BvhHit found, SurfaceHit hit, Encount
     vec4 more = partFigures(part, 8);
 #ifdef DETAILS
     int width = textureSize(details, 0).x;
-    int texel = 3 * found.triangle;
+    int texel = found.triangle < kFirstSphere ? 3 * found.triangle : 0;
     uvec4 a = texelFetch(details, ivec2(texel % width, texel / width), 0);
     uvec4 b = texelFetch(details, ivec2((texel + 1) % width, (texel + 1) / width), 0);
     uvec4 c = texelFetch(details, ivec2((texel + 2) % width, (texel + 2) / width), 0);

@@ -6,6 +6,7 @@
 // happened on the way. FINISHES: there are surfaces that are not ideally smooth; what the camera sees of them was drawn before.
 #include "tukor/gl/shaders/environment.glsl"
 #include "tukor/geometry/bvh_traversal.h"
+#include "tukor/geometry/sphere_hit.h"
 #include "tukor/transport/look_ups.h"
 #include "tukor/transport/path_tree.h"
 #include "tukor/transport/rounding.h"
@@ -23,6 +24,12 @@ uniform bool background;  // false: nothing is seen where the camera ray meets n
 uniform uint eyeMedia;   // what the eye is inside of
 uniform vec4 media[32];  // index against vacuum and absorption of the dielectrics
 uniform usampler2D surfaces;  // nine texels a part, see traced_scene.cpp and finish_hit.glsl
+
+// Parts that are whole spheres, two each: centre and radius; number of the part. They are not in the tree, and sphere i is
+// called kFirstSphere + i.
+const int kFirstSphere = 1 << 28;
+uniform int sphereCount;
+uniform vec4 spheres[16];
 
 uniform int rayBudget;
 uniform int maxDepth;
@@ -47,19 +54,52 @@ layout(location = 1) out vec4 counts;  // rays, leaks, inconsistencies, truncate
 #include "tukor/gl/shaders/finish_hit.glsl"
 #endif
 
+// The nearest sphere or triangle. A sphere is met in the middle of its one triangle.
+BvhHit nearestHit(Branch ray, float beyond) {
+    BvhHit hit = nearestBvhHit(ray.origin, ray.direction, beyond, 1e30, ray.skip);
+    for (int i = 0; i < sphereCount; i++) {
+        int name = kFirstSphere + i;
+        float t = sphereDistance(ray.origin, ray.direction, spheres[2 * i].xyz, spheres[2 * i].w, beyond, ray.skip == name);
+        if (t > 0.0 && t < hit.t) {
+            hit.t = t;
+            hit.u = 1.0 / 3.0;
+            hit.v = 1.0 / 3.0;
+            hit.triangle = name;
+        }
+    }
+    return hit;
+}
+
+int partOf(int triangle) {
+    if (triangle >= kFirstSphere) return int(spheres[2 * (triangle - kFirstSphere) + 1].x);
+    return bvhSurface(max(triangle, 0)).part;
+}
+
 // That of triangle 0 where none was found.
-SurfaceHit surfaceHit(BvhHit found) {
-    BvhSurface triangle = bvhSurface(max(found.triangle, 0));
+SurfaceHit surfaceHit(BvhHit found, Branch ray) {
     SurfaceHit hit;
+    if (found.triangle >= kFirstSphere) {
+        vec4 sphere = spheres[2 * (found.triangle - kFirstSphere)];
+        SpherePoint p = spherePoint(ray.origin, ray.direction, found.t, sphere.xyz, sphere.w);
+        hit.position = p.position;
+        hit.e1 = p.e1;
+        hit.e2 = p.e2;
+        hit.normalE1 = p.e1 / sphere.w;
+        hit.normalE2 = p.e2 / sphere.w;
+        hit.normal = p.normal;
+    } else {
+        BvhSurface triangle = bvhSurface(max(found.triangle, 0));
+        hit.position = triangle.v0 + found.u * triangle.e1 + found.v * triangle.e2;
+        hit.e1 = triangle.e1;
+        hit.e2 = triangle.e2;
+        hit.normalE1 = triangle.n1 - triangle.n0;
+        hit.normalE2 = triangle.n2 - triangle.n0;
+        hit.normal = triangle.n0 + found.u * hit.normalE1 + found.v * hit.normalE2;
+    }
     hit.distance = found.t;
-    hit.position = triangle.v0 + found.u * triangle.e1 + found.v * triangle.e2;
-    hit.e1 = triangle.e1;
-    hit.e2 = triangle.e2;
-    hit.normalE1 = triangle.n1 - triangle.n0;
-    hit.normalE2 = triangle.n2 - triangle.n0;
-    hit.normal = triangle.n0 + found.u * hit.normalE1 + found.v * hit.normalE2;
     hit.triangle = found.triangle;
-    ivec2 place = ivec2(9 * (triangle.part & 127), triangle.part >> 7);
+    int part = partOf(found.triangle);
+    ivec2 place = ivec2(9 * (part & 127), part >> 7);
     uvec4 kind = texelFetch(surfaces, place, 0);
     uvec4 a = texelFetch(surfaces, place + ivec2(1, 0), 0);
     uvec4 b = texelFetch(surfaces, place + ivec2(2, 0), 0);
@@ -70,6 +110,12 @@ SurfaceHit surfaceHit(BvhHit found) {
     hit.tint = hit.eta;
     hit.k = vec3(uintBitsToFloat(b.x), uintBitsToFloat(b.y), uintBitsToFloat(b.z));
     return hit;
+}
+
+vec3 centreOf(int triangle) {
+    if (triangle >= kFirstSphere) return spheres[2 * (triangle - kFirstSphere)].xyz;
+    BvhSurface own = bvhSurface(triangle);
+    return own.v0 + (own.e1 + own.e2) / 3.0;
 }
 
 Medium mediumAt(int number) {
@@ -131,14 +177,13 @@ void main() {
             rounding = exactSoFar();
         } else {
             tree.rays++;
-            BvhHit found = nearestBvhHit(tree.branch.origin, tree.branch.direction, rounding.beyond, 1e30,
-                                         tree.branch.skip);
+            BvhHit found = nearestHit(tree.branch, rounding.beyond);
             bool any = found.triangle >= 0;
-            SurfaceHit hit = surfaceHit(found);
+            SurfaceHit hit = surfaceHit(found, tree.branch);
             Encounter met = encounter(tree.branch, hit);
             bool agrees = any ? met.consistent : tree.branch.media == 0u;
 #ifdef FINISHES
-            int part = bvhSurface(max(found.triangle, 0)).part;
+            int part = partOf(found.triangle);
             uint kind = texelFetch(surfaces, ivec2(9 * (part & 127), part >> 7), 0).w;
             bool finished = any && (kind & kFinished) != 0u;
             agrees = agrees || finished;  // sheets have two sides
@@ -146,8 +191,7 @@ void main() {
             float nearness = nearnessToEdge(found.u, found.v, tree.branch.direction, met.face.ng);
             if (triesAgain(rounding, tree.branch, any, found.t, nearness, agrees)) {
                 if (rounding.nudged) {
-                    BvhSurface own = bvhSurface(tree.branch.skip);
-                    tree.branch.origin = mix(tree.branch.origin, own.v0 + (own.e1 + own.e2) / 3.0, kEdge);
+                    tree.branch.origin = mix(tree.branch.origin, centreOf(tree.branch.skip), kEdge);
                 }
                 continue;
             }
