@@ -3,7 +3,7 @@
 
 usage: view_test.py PROGRAM [FOLDER]    FOLDER keeps the pictures
 
-Needs Xvfb and xdotool; exits with 77, skipped, without them.
+Needs Xvfb, xdotool and xclip; exits with 77, skipped, without them.
 """
 import os
 import re
@@ -14,6 +14,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import x11_drop
 
 PROGRAM = os.path.abspath(sys.argv[1])
 PATIENCE = 60  # seconds; software rendering on a busy machine
@@ -89,10 +91,12 @@ class Viewer:
         xdotool("mousemove", "--window", self.window, *start)
         time.sleep(0.3)
         xdotool("mousedown", button)
+        time.sleep(1.5)  # a slow frame: what is under the mouse then is what it took
         steps = 8
         for i in range(1, steps + 1):
             xdotool("mousemove", "--window", self.window, *(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
             time.sleep(0.05)
+        time.sleep(1.0)
         xdotool("mouseup", button)
         time.sleep(0.3)
 
@@ -146,16 +150,11 @@ def test_window(folder):
     far = viewer.picture()
     assert rmse(focused, far) > 3, "the minus key does not go farther"
 
-    if shutil.which("xclip"):
-        xdotool("key", "ctrl+c")
-        time.sleep(1)
-        command = subprocess.run(["xclip", "-o", "-selection", "clipboard"], check=True, capture_output=True,
-                                 text=True, timeout=PATIENCE).stdout
-        words = shlex.split(command)
-        assert words[:3] == ["tukor", "render", "torus-knot"] and words[-2:] == ["-o", "picture.png"], command
-        again = os.path.join(folder, "again.png")
-        subprocess.run([PROGRAM, *words[1:-1], again, "--renderer", "gl"], check=True)
-        assert rmse(far, again) < 0.5, f"another picture: {command}"
+    words = copied_command(viewer)
+    assert words[:3] == ["tukor", "render", "torus-knot"] and words[-2:] == ["-o", "picture.png"], words
+    again = os.path.join(folder, "again.png")
+    subprocess.run([PROGRAM, *words[1:-1], again, "--renderer", "gl"], check=True)
+    assert rmse(far, again) < 0.5, f"another picture: {words}"
 
     xdotool("key", "Home")
     home = viewer.picture()
@@ -175,6 +174,66 @@ def test_window(folder):
     assert viewer.said() == "", viewer.said()
 
 
+def copied_command(viewer):
+    """The words of the command that Ctrl+C copies."""
+    xdotool("key", "ctrl+c")
+    time.sleep(1)
+    command = subprocess.run(["xclip", "-o", "-selection", "clipboard"], check=True, capture_output=True, text=True,
+                             timeout=PATIENCE).stdout
+    return shlex.split(command)
+
+
+def test_drops(folder):
+    """Models and environments dropped onto the window; what is no model is refused, and nothing lost."""
+    viewer = Viewer(folder, "sphere", "--material", "gold", "--fidelity", "single", "--size", "320x240", "--samples", "4")
+    xdotool("key", "Tab")
+    ball = viewer.picture()
+    light = os.path.join(folder, "ein Himmel.hdr")
+    subprocess.run([PROGRAM, "environment", "convert", "sky", "-o", light, "--layout", "equirect", "--size", "64"], check=True)
+    x11_drop.drop(int(viewer.window), light)
+    under_sky = viewer.picture()
+    assert rmse(ball, under_sky) > 5, "the dropped environment does not light"
+    model = os.path.join(folder, "wedge.obj")
+    with open(model, "w", encoding="ascii") as file:
+        file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
+    x11_drop.drop(int(viewer.window), model)
+    wedge = viewer.picture()
+    assert rmse(under_sky, wedge) > 5, "the dropped model does not show"
+    words = copied_command(viewer)
+    assert model in words and light in words, words
+    junk = os.path.join(folder, "junk.glb")
+    with open(junk, "wb") as file:
+        file.write(b"glTF, says who?")
+    x11_drop.drop(int(viewer.window), junk)
+    time.sleep(1)
+    assert copied_command(viewer) == words, "a file that cannot be read changes what is shown"
+    viewer.close()
+
+
+def test_panel(folder):
+    """Figures typed, levels compared, the divider drawn aside."""
+    viewer = Viewer(folder, "sphere", "--material", "iron", "--fidelity", "single", "--size", "900x760", "--samples", "4")
+    # Where the widgets are: rows of 24 pixels with the font that the window prefers, 23 with its own.
+    row = 1.0 if os.path.exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf") else 23 / 24
+    exact = viewer.picture()
+    viewer.click((26, round(491 * row)))  # compare with Schlick's approximation
+    half = viewer.picture()
+    assert rmse(exact, half) > 1, "nothing is compared"
+    viewer.drag((450, 380), (860, 380))  # past the ball
+    assert rmse(exact, viewer.picture()) < 0.5 * rmse(exact, half), "the divider does not move"
+    viewer.click((26, round(491 * row)))
+    assert rmse(exact, viewer.picture()) < 0.5, "the comparison does not end, or the divider's drag turned the model"
+    viewer.click((90, round(192 * row)))
+    xdotool("type", "--delay", 60, "mirror:1")
+    xdotool("key", "Return")
+    xdotool("mousemove", "--window", viewer.window, 700, 700)
+    wait_for("the figures to be taken", lambda: rmse(exact, viewer.picture()) > 5)
+    viewer.click((700, 700))  # out of the text
+    words = copied_command(viewer)
+    assert words[words.index("--material") + 1] == "mirror:1", words
+    viewer.close()
+
+
 def test_wrong_start(folder):
     """What is wrong with the arguments is said before a window opens."""
     result = subprocess.run([PROGRAM, "view", "none.obj"], capture_output=True, text=True, cwd=folder, timeout=PATIENCE)
@@ -182,14 +241,14 @@ def test_wrong_start(folder):
 
 
 def main():
-    if not shutil.which("Xvfb") or not shutil.which("xdotool"):
-        print("skipped: needs Xvfb and xdotool")
+    if not all(map(shutil.which, ("Xvfb", "xdotool", "xclip"))):
+        print("skipped: needs Xvfb, xdotool and xclip")
         sys.exit(77)
     with tempfile.TemporaryDirectory() as folder, Display():
         if len(sys.argv) > 2:
             folder = sys.argv[2]
             os.makedirs(folder, exist_ok=True)
-        for test in (test_window, test_wrong_start):
+        for test in (test_window, test_drops, test_panel, test_wrong_start):
             own = os.path.join(folder, test.__name__)
             os.makedirs(own, exist_ok=True)
             test(own)

@@ -107,8 +107,8 @@ Window::Window(int width, int height, const std::string& title) : glfw_(std::mak
         auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
         self.dropped_.insert(self.dropped_.end(), paths, paths + count);
     });
-    // ImGui knows keys as down or up when a frame begins: it misses those pressed and released in a
-    // slow frame
+    // ImGui knows keys as down or up when a frame begins: it would miss those pressed and released
+    // in a slow frame (see holdPressedKeys)
     glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
         auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
         if (action != GLFW_RELEASE) self.presses_.emplace_back(key, modifiers);
@@ -182,7 +182,31 @@ bool Window::held(Key key) const {
     return ImGui::IsKeyDown(glfwKey(key));
 }
 
+void Window::holdPressedKeys() {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const auto& [key, modifiers] : presses_) {
+        if (key >= 0) io.KeysDown[key] = true;
+        if ((modifiers & GLFW_MOD_CONTROL) != 0) io.KeyCtrl = true;
+        if ((modifiers & GLFW_MOD_SHIFT) != 0) io.KeyShift = true;
+    }
+}
+
+void Window::releaseKeys() {
+    ImGuiIO& io = ImGui::GetIO();
+    const auto down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
+    for (const auto& [key, modifiers] : presses_) {
+        if (key >= 0) io.KeysDown[key] = down(key);
+    }
+    if (presses_.empty()) return;
+    io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = down(GLFW_KEY_LEFT_SHIFT) || down(GLFW_KEY_RIGHT_SHIFT);
+}
+
 void Window::beginFrame() {
+    frameBegun_ = glfwGetTime();
+    // ImGui sees one press or release a frame: where frames are slow a double click takes longer.
+    ImGui::GetIO().MouseDoubleClickTime =
+        std::clamp(4.0f * static_cast<float>(frameCost_), 0.3f, 2.0f);
     // the widgets are laid out in screen coordinates: text grows by what those do not account for
     const float textScale = contentScale() / framebufferScale().y;
     const float pixelScale = contentScale();
@@ -206,6 +230,7 @@ void Window::beginFrame() {
         renderer_->uploadFonts();
     }
     ImGui_ImplGlfw_NewFrame();
+    holdPressedKeys();
     ImGui::NewFrame();
 }
 
@@ -214,7 +239,9 @@ void Window::endFrame() {
     renderer_->draw(*ImGui::GetDrawData());
     gl::throwPendingErrors("drawing the panel");
     glfwSwapBuffers(window_);
+    releaseKeys();
     presses_.clear();
+    frameCost_ = glfwGetTime() - frameBegun_;
 }
 
 }  // namespace tukor

@@ -57,6 +57,11 @@ public:
 private:
     struct Glfw;   // initialised library
     struct Panel;  // ImGui context
+
+    /// For one frame ImGui sees every key that was pressed since the last, released again or not.
+    void holdPressedKeys();
+    void releaseKeys();
+
     std::unique_ptr<Glfw> glfw_;
     GLFWwindow* window_ = nullptr;
     std::unique_ptr<Panel> panel_;
@@ -64,6 +69,8 @@ private:
     std::vector<std::string> dropped_;
     std::vector<std::pair<int, int>> presses_;  // GLFW's key and modifiers, since the last frame
     float fontScale_ = 0.0f;
+    double frameBegun_ = 0.0;  // GLFW's seconds
+    double frameCost_ = 0.0;   // seconds of the last frame, without the wait before it
 };
 
 }  // namespace tukor
