@@ -20,4 +20,4 @@ fi
 rm -rf dist
 node_modules/.bin/esbuild src/tukor-view.js src/tukor-worker.js src/tukor-extras.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
     --outdir=dist --log-level=warning
-cp ../build/web/apps/web/{tukor,tukor-extras}.wasm src/tukor-view.d.ts dist/
+cp ../build/web/apps/web/*.wasm src/tukor-view.d.ts dist/

@@ -12,7 +12,6 @@
 #include "tukor/app/pick.h"
 #include "tukor/base/error.h"
 #include "tukor/environment/repair.h"
-#include "tukor/gl/context.h"
 #include "tukor/image/display.h"
 #include "tukor/scene/assign_materials.h"
 
@@ -54,7 +53,6 @@ void assign(T& value, const Extra& extra, std::string_view name, std::string_vie
 }  // namespace
 
 Viewer::Viewer() {
-    gl::requireFeatures();
     display_.tonemap = Tonemap::neutral;  // as in `tukor render`
 }
 

@@ -1,6 +1,5 @@
 // The second module, on its own so that only pages which need it fetch it: built-in shapes and skies, other model formats, cube maps.
-import { Library } from "./engine.js";
-import createModule from "../../build/web/apps/web/tukor-extras.js";
+import { Library } from "./library.js";
 
 let library = null;
 
@@ -9,14 +8,14 @@ function extras() {
     const response = await fetch(new URL("./tukor-extras.wasm", import.meta.url)); // from servers that send another type than application/wasm
     if (!response.ok) throw new Error(`tukor-extras.wasm: ${response.status} ${response.statusText}`);
     return WebAssembly.compile(await response.arrayBuffer());
-  }).then((module) => Library.create(createModule, module, "extras"));
+  }).then((module) => Library.create(module, "extras"));
   library.catch(() => (library = null));
   return library;
 }
 
-function made({ wasm }) {
-  const at = wasm._extras_bytes();
-  return wasm.HEAPU8.slice(at, at + wasm._extras_size());
+function made({ wasm, memory }) {
+  const at = wasm.extras_bytes();
+  return memory.bytes.slice(at, at + wasm.extras_size());
 }
 
 /** A scene's bytes: of a built-in shape where there are no bytes. */

@@ -111,7 +111,7 @@ class Host {
     while (engine.call("still_sample", width, height, samples) < samples) await this.#drawn();
     const at = engine.call("still_pixels");
     engine.call("restart");
-    return engine.wasm.HEAPU8.slice(at, at + 4 * width * height);
+    return engine.memory.bytes.slice(at, at + 4 * width * height);
   }
 
   /** 1 + the index of the part under a place, 0 for none. */

@@ -1,23 +1,8 @@
-#include <emscripten/emscripten.h>
 #include <fmt/format.h>
 
-// Digits as JavaScript writes them: the shortest that read back as the same number, or as many as
-// asked for.
-EM_JS(int, tukorTextFromNumber, (double value, int single, int precision, int type, char* out), {
-    var text = String(value);
-    if (type == 102)
-        text = value.toFixed(precision < 0 ? 6 : precision);
-    else if (type == 101)
-        text = value.toExponential(precision < 0 ? 6 : precision);
-    else if (type == 103)
-        text = String(Number(value.toPrecision(precision < 0 ? 6 : precision || 1)));
-    else if (single)
-        for (var digits = 1;
-             digits < 10 && Math.fround(text = String(Number(value.toPrecision(digits)))) != value;)
-            digits++;
-    for (var i = 0; i < text.length; i++) HEAP8[out + i] = text.charCodeAt(i);
-    return text.length;
-});
+// Digits as JavaScript writes them: web/src/library.js.
+extern "C" __attribute__((import_module("env"), import_name("tukorTextFromNumber"))) int
+tukorTextFromNumber(double value, int single, int precision, int type, char* out);
 
 namespace fmt {
 

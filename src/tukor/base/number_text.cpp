@@ -5,11 +5,9 @@
 #include <string>
 
 #ifdef __EMSCRIPTEN__
-#include <emscripten/emscripten.h>
-
 // The C library's reader would bring arithmetic of 128 bits along; the browser has one.
-EM_JS(double, tukorNumberFromText, (const char* text, int size),
-      { return Number(String.fromCharCode(... HEAPU8.subarray(text, text + size))); });
+extern "C" __attribute__((import_module("env"), import_name("tukorNumberFromText"))) double
+tukorNumberFromText(const char* text, int size);
 #endif
 
 namespace tukor {

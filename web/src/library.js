@@ -1,0 +1,91 @@
+// Instances of the C++ library's modules: their memory, their calls, and their errors in JavaScript's terms.
+
+const VIEWS = { bytes: Uint8Array, chars: Int8Array, shorts: Uint16Array, ints: Int32Array, words: Uint32Array, floats: Float32Array };
+
+/** An instance's memory, as typed arrays over all of it; made anew when it grows. */
+export class Memory {
+  renew(buffer) {
+    for (const [name, View] of Object.entries(VIEWS)) this[name] = new View(buffer);
+  }
+
+  /** The text at an address, up to its zero byte or of so many bytes. */
+  text(at, size = this.bytes.indexOf(0, at) - at) {
+    return new TextDecoder().decode(this.bytes.slice(at, at + size)); // a copy: browsers refuse views of memory that may be shared
+  }
+
+  /** Puts a text and a zero byte. */
+  put(at, text) {
+    const bytes = new TextEncoder().encode(text + "\0");
+    this.bytes.set(bytes, at);
+    return bytes.length - 1;
+  }
+}
+
+/** Digits as JavaScript writes them: the shortest that read back as the same number, or as many as asked for. */
+function digitsOf(value, single, precision, type) {
+  const figures = precision < 0 ? 6 : precision;
+  if (type === "f") return value.toFixed(figures);
+  if (type === "e") return value.toExponential(figures);
+  if (type === "g") return String(+value.toPrecision(figures || 1));
+  let text = String(value);
+  if (single) for (let digits = 1; digits < 10 && Math.fround((text = String(+value.toPrecision(digits)))) !== value; ) digits++;
+  return text;
+}
+
+/** An instance of a module; its functions begin with `prefix`. */
+export class Library {
+  /** `more` are imports beside those that every module has, made with the instance's memory. */
+  static async create(module, prefix, more = () => ({})) {
+    const library = new this();
+    const memory = (library.memory = new Memory());
+    const renew = () => memory.renew(library.wasm.memory.buffer);
+    const env = {
+      emscripten_notify_memory_growth: renew,
+      tukorNumberFromText: (at, size) => Number(memory.text(at, size)),
+      tukorTextFromNumber: (value, single, precision, type, out) => memory.put(out, digitsOf(value, single, precision, String.fromCharCode(type))),
+      ...more(memory),
+    };
+    const wasi_snapshot_preview1 = {
+      proc_exit() {
+        throw new Error("the library gave up");
+      },
+    };
+    const instance = await WebAssembly.instantiate(module, { env, math: Math, wasi_snapshot_preview1 });
+    library.prefix = prefix;
+    library.wasm = instance.exports;
+    renew();
+    library.wasm._initialize();
+    return library;
+  }
+
+  /** Calls an exported function with numbers, texts and arrays; a negative result is an error whose text the library holds. */
+  call(name, ...args) {
+    const { wasm, memory } = this;
+    const owned = [];
+    const values = args.map((arg) => {
+      if (typeof arg === "string") arg = new TextEncoder().encode(arg + "\0");
+      if (!ArrayBuffer.isView(arg)) return arg;
+      const at = wasm.malloc(Math.max(arg.byteLength, 1));
+      if (!at) throw new Error("out of memory");
+      memory.bytes.set(new Uint8Array(arg.buffer, arg.byteOffset, arg.byteLength), at);
+      owned.push(at);
+      return at;
+    });
+    try {
+      const result = wasm[`${this.prefix}_${name}`](...values);
+      if (result < 0) throw new Error(this.text("error"));
+      return result;
+    } finally {
+      for (const at of owned) wasm.free(at);
+    }
+  }
+
+  /** The string that an exported function returns. */
+  text(name, ...args) {
+    return this.memory.text(this.wasm[`${this.prefix}_${name}`](...args));
+  }
+
+  json(name, ...args) {
+    return JSON.parse(this.text(name, ...args));
+  }
+}
