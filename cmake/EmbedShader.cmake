@@ -2,14 +2,19 @@
 # backgroundFrag. `#include "tukor/..."` lines are inlined with `#line`, so that a driver's error can name the real file.
 #
 #   tukor_embed_shaders(tukor_gl FILES tukor/gl/shaders/a.vert ...)      paths below src, or below the project root
+#
+# In pages, branches of names that are NEVER defined are left out.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 function(tukor_embed_shaders target)
+    cmake_parse_arguments(arg "" "" "FILES;NEVER" ${ARGN})
     set(compact "")
     if(EMSCRIPTEN)
         set(compact --compact)  # pages fetch it
+        foreach(name ${arg_NEVER})
+            list(APPEND compact --never ${name})
+        endforeach()
     endif()
-    cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
     foreach(file ${arg_FILES})
         get_filename_component(stem ${file} NAME_WE)
         get_filename_component(stage ${file} LAST_EXT)

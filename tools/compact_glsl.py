@@ -21,8 +21,8 @@ def without_comments(text):
     return text.replace("\\\n", " ")
 
 
-def without_cplusplus(lines):
-    """Lines of the branches that a GLSL compiler takes, of conditions on __cplusplus alone; others stay."""
+def without_branches(lines, never):
+    """Lines without those of conditions on one name alone that is never defined; other conditions stay."""
     kept, stack = [], []  # of (decided here, taken)
     for line in lines:
         directive = re.match(r"\s*#\s*(ifdef|ifndef|if|else|elif|endif)\b\s*(.*)", line)
@@ -30,7 +30,7 @@ def without_cplusplus(lines):
         if directive:
             word, rest = directive[1], directive[2].strip()
             if word in ("ifdef", "ifndef", "if"):
-                ours = word != "if" and rest == "__cplusplus"
+                ours = word != "if" and rest in never
                 stack.append((ours, word == "ifndef" if ours else True))
                 if ours or not taken:
                     continue
@@ -122,13 +122,19 @@ def joined(tokens):
     return text
 
 
-def compacted(text):
-    lines = without_house_macros(without_cplusplus(without_comments(text).splitlines()))
+def lines_and_tokens(text, never):
+    """Its lines, without the branches of what is `never` defined, and their tokens."""
+    lines = without_house_macros(without_branches(without_comments(text).splitlines(), {"__cplusplus", *never}))
     # Everything is highp by the statements at the top, which stay.
     lines = [line if line.startswith("precision") else re.sub(r"\bhighp\s+", "", line) for line in lines]
     lines = [line.strip() for line in lines if line.strip() and not re.match(r"\s*#\s*line\b", line)]
-    tokens_of_lines = [TOKEN.findall(line) for line in lines]
-    short = shortened(tokens_of_lines)
+    return lines, [TOKEN.findall(line) for line in lines]
+
+
+def compacted(text, never=(), beside=()):
+    """`beside` are the shaders that it is stored with, itself too: what they share comes out alike, and is compressed to nothing."""
+    lines, tokens_of_lines = lines_and_tokens(text, never)
+    short = shortened(sum((lines_and_tokens(other, ())[1] for other in beside), []) if beside else tokens_of_lines)
     out, code = [], []
     for line, tokens in zip(lines, tokens_of_lines):
         if tokens[0] == "#":

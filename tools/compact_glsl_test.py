@@ -49,6 +49,16 @@ class CompactGlsl(unittest.TestCase):
         self.assertIn("step(0.,", self.text)
         self.assertIn(".x", self.text)
 
+    def test_names_alike_what_shaders_share(self):
+        other = SHADER.replace("value", "figure").replace("nearest(fromEye", "nearest(2.0 * fromEye")
+        first, second = (compacted(text, beside=[SHADER, other]) for text in (SHADER, other))
+        self.assertEqual(first[first.index("struct"):first.index("void main")], second[second.index("struct"):second.index("void main")])
+
+    def test_leaves_out_what_is_never_defined(self):
+        text = "#version 300 es\n#ifdef FINISHES\nint more;\n#endif\nint other;\n"
+        self.assertNotIn("FINISHES", compacted(text, never=["FINISHES"]))
+        self.assertIn("FINISHES", compacted(text))
+
     def test_keeps_numbers_and_signs(self):
         self.assertIn(".5- -step.x", self.text)
         self.assertIn("1.+2.5e-3", self.text)

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Inline a shader's #includes and write it as a C++ string constant.
 
-usage: embed_shader.py INCLUDE_ROOT INPUT OUTPUT NAME [--depfile FILE] [--raw]
+usage: embed_shader.py INCLUDE_ROOT INPUT OUTPUT NAME [--depfile FILE] [--raw] [--compact [--never NAME]]
 
 `#include "tukor/..."` is replaced by that file, once each. `#line` directives carry a number per file; the table of numbers and
 paths goes with the constant, so that a driver's `3:17` can be told as `tukor/optics/fresnel.h:17`. --raw writes plain GLSL (for
-glslangValidator) instead of C++; --compact makes it small, see
-compact_glsl.py; drivers' errors then have no lines to name.
+glslangValidator) instead of C++; --compact makes it small, together with the other shaders of its folder, see compact_glsl.py;
+drivers' errors then have no lines to name. Branches of what is --never defined are left out.
 """
 import argparse
 import pathlib
@@ -50,6 +50,14 @@ def flatten(root, path, files, out):
                         "precision highp usampler2D;", "precision highp samplerCube;", f"#line {row + 1} {number}"]
 
 
+def flattened(root, path):
+    """Its text with all that it includes, and their paths."""
+    files, out = [], []
+    flatten(root, path, files, out)
+    # GLSL ES 3.00 source is ASCII outside comments; drivers differ on comments, so make all of it ASCII.
+    return "\n".join(out).encode("ascii", "replace").decode() + "\n", files
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("root", type=pathlib.Path)
@@ -59,14 +67,16 @@ def main():
     parser.add_argument("--depfile", type=pathlib.Path)
     parser.add_argument("--raw", action="store_true")
     parser.add_argument("--compact", action="store_true")
+    parser.add_argument("--never", action="append", default=[])
     args = parser.parse_args()
-    files, out = [], []
-    flatten(args.root, args.input, files, out)
-    included = list(files)
-    # GLSL ES 3.00 source is ASCII outside comments; drivers differ on comments, so make all of it ASCII.
-    text = "\n".join(out).encode("ascii", "replace").decode() + "\n"
+    text, files = flattened(args.root, args.input)
+    included = set(files)
     if args.compact:
-        text = compacted(text)
+        folder = located(args.root, args.input).parent
+        beside = [flattened(args.root, str(path.relative_to(args.root))) for path in sorted(folder.iterdir())
+                  if path.suffix in (".frag", ".vert") and not path.name.startswith("test_")]
+        included.update(*(paths for _, paths in beside))
+        text = compacted(text, args.never, [other for other, _ in beside])
         files = files[:1]
     if args.raw:
         args.output.write_text(text)
@@ -82,7 +92,7 @@ def main():
             f"extern const ShaderSource {args.name};\n"
             f"const ShaderSource {args.name} = {{{body},\n    {args.name}Files}};\n}}\n")
     if args.depfile:
-        deps = " ".join(str(located(args.root, f)) for f in included)
+        deps = " ".join(str(located(args.root, f)) for f in sorted(included))
         args.depfile.write_text(f"{args.output}: {deps}\n")
 
 

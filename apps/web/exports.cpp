@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "answers.h"
+#include "given_finish.h"
 #include "scene_bytes.h"
 #include "tukor/base/error.h"
 #include "tukor/base/memory_file.h"
@@ -134,6 +135,27 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_environment_cube(const float* texels, int fac
         viewer->setCube(texels, faceSize);
         return 0;
     });
+}
+
+/// JSON of what the next frame needs of the third module: the light's address, width and height as
+/// finish_light() takes them, and its scale; null for nothing.
+EMSCRIPTEN_KEEPALIVE const char* tukor_light_wanted() {
+    return kept(viewer->lightWanted());
+}
+
+/// What the third module made of it.
+EMSCRIPTEN_KEEPALIVE int tukor_give_light(const std::uint64_t* chain, int chainBytes,
+                                          const std::uint64_t* table, int tableBytes) {
+    return guarded([&] {
+        tukor::web::givenLight = {{chain, chain + chainBytes / 8}, {table, table + tableBytes / 8}};
+        return 0;
+    });
+}
+
+EMSCRIPTEN_KEEPALIVE int tukor_give_shaders(const char* finish, const char* traced) {
+    tukor::web::givenFinishShader = finish;
+    tukor::web::givenTracedShader = traced;
+    return 0;
 }
 
 EMSCRIPTEN_KEEPALIVE int tukor_set_option(const char* name, const char* text) {

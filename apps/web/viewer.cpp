@@ -167,6 +167,17 @@ std::span<const std::uint8_t> Viewer::stillPixels() {
     return pixels_;
 }
 
+std::string Viewer::lightWanted() const {
+    if (!renderer_.preparesLight()) return "null";
+    const gl::LightSource& source = renderer_.lightChain().source();
+    const int width = source.panorama ? source.panorama->width() : source.cube->faceSize();
+    const glm::vec3* const texels = source.panorama ? source.panorama->pixels().data()
+                                                    : source.cube->texels(CubeFace::posX).data();
+    return fmt::format(R"({{"at":{},"width":{},"height":{},"scale":{}}})",
+                       reinterpret_cast<std::uintptr_t>(texels), width,
+                       source.panorama ? width / 2 : 6 * width, renderer_.lightChain().scale());
+}
+
 int Viewer::pick(float x, float y, float aspect) const {
     constexpr int height = 4096;  // fine enough: x and y are fractions of it
     const int width = std::max(1, static_cast<int>(std::lround(aspect * height)));

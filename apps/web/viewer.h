@@ -48,6 +48,9 @@ public:
     /// next call.
     [[nodiscard]] std::span<const std::uint8_t> stillPixels();
 
+    /// See tukor_light_wanted().
+    [[nodiscard]] std::string lightWanted() const;
+
     /// 1 + the index of the part under a place in the picture, from (0, 0) top left to (1, 1); 0
     /// for none.
     [[nodiscard]] int pick(float x, float y, float aspect) const;

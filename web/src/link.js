@@ -1,20 +1,16 @@
 // From an element to the side that computes for it: a worker that draws into the element's canvas, or the page itself where workers cannot.
 
-let compiled = null;
+import { compiled } from "./lazily.js";
+
+let module = null;
 
 /** The library, fetched and compiled once a page. */
 function library() {
-  const url = new URL("./tukor.wasm", import.meta.url);
-  compiled ??= WebAssembly.compileStreaming(fetch(url)).catch(async (error) => {
-    if (!(error instanceof TypeError)) throw error;
-    const response = await fetch(url); // from servers that send another type than application/wasm
-    if (!response.ok) throw new Error(`tukor.wasm: ${response.status} ${response.statusText}`);
-    return WebAssembly.compile(await response.arrayBuffer());
-  }).catch((error) => {
-    compiled = null;
+  module ??= compiled("tukor.wasm", import.meta.url).catch((error) => {
+    module = null;
     throw error;
   });
-  return compiled;
+  return module;
 }
 
 /** A worker that has said that it can draw; null where it cannot, or may not be started (another origin, a policy). */

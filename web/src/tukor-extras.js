@@ -1,17 +1,7 @@
 // The second module, on its own so that only pages which need it fetch it: built-in shapes and skies, other model formats, cube maps.
-import { Library } from "./library.js";
+import { lazily } from "./lazily.js";
 
-let library = null;
-
-function extras() {
-  library ??= WebAssembly.compileStreaming(fetch(new URL("./tukor-extras.wasm", import.meta.url))).catch(async () => {
-    const response = await fetch(new URL("./tukor-extras.wasm", import.meta.url)); // from servers that send another type than application/wasm
-    if (!response.ok) throw new Error(`tukor-extras.wasm: ${response.status} ${response.statusText}`);
-    return WebAssembly.compile(await response.arrayBuffer());
-  }).then((module) => Library.create(module, "extras"));
-  library.catch(() => (library = null));
-  return library;
-}
+const extras = lazily("tukor-extras.wasm", import.meta.url, "extras");
 
 function made({ wasm, memory }) {
   const at = wasm.extras_bytes();

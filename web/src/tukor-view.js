@@ -106,7 +106,7 @@ export class TukorView extends HTMLElement {
     if (before === now) return;
     if (name === "alt") this.#describe();
     if (name === "poster") this.#poster.style.backgroundImage = now ? `url(${JSON.stringify(now)})` : "";
-    if (name === "camera-controls" && this.isConnected) this.#controls();
+    if (name === "camera-controls" && this.#stop) this.#controls(); // not yet connected while the parser upgrades it
     if (name in this.#files) this.#files[name] = null;
     if (name === "src" && this.#visible) this.#start();
     if (name === "auto-rotate") this.#wake();

@@ -84,6 +84,16 @@ class Host {
   depth({ depth }) { this.#engine.call("set_max_depth", depth); }
   exposure({ stops }) { this.#engine.call("set_exposure", stops); }
 
+  /** Light and shaders of surfaces that are not ideally smooth, where the model has some. */
+  async #light() {
+    const engine = this.#engine;
+    const wanted = engine.json("light_wanted");
+    if (!wanted) return;
+    const { shaders, light } = await (await import("./tukor-finish.js")).prepare(engine.memory.floats.subarray(wanted.at / 4), wanted);
+    engine.call("give_shaders", ...shaders);
+    engine.call("give_light", light.chain, light.chain.length, light.table, light.table.length);
+  }
+
   #place({ eye, target, fov }) {
     this.#engine.call("set_camera", ...eye, ...target, fov);
   }
@@ -96,6 +106,7 @@ class Host {
       canvas.width = width;
       canvas.height = height;
     }
+    await this.#light();
     if (restart) this.#engine.call("restart");
     this.#place(view);
     const samples = this.#engine.call("frame", width, height);
@@ -106,6 +117,7 @@ class Host {
   /** Many samples of another picture, which is not shown: straight-alpha 8-bit sRGB. */
   async still({ view, width, height, samples }) {
     const engine = this.#engine;
+    await this.#light();
     this.#place(view);
     engine.call("restart");
     while (engine.call("still_sample", width, height, samples) < samples) await this.#drawn();

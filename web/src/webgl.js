@@ -3,7 +3,7 @@
 /** Those whose arguments are plain numbers, which WebGL takes as they are. */
 const PLAIN = "activeTexture blendFunc blitFramebuffer checkFramebufferStatus clear clearColor colorMask cullFace depthFunc depthMask disable drawArrays drawElements " +
   "enable enableVertexAttribArray flush generateMipmap getError pixelStorei readBuffer renderbufferStorageMultisample scissor texParameteri " +
-  "texStorage2D vertexAttribPointer viewport";
+  "texStorage2D texStorage3D vertexAttribPointer viewport";
 /** Arrays of uniforms: the function and its figures a value, of memory's floats or ints. */
 const UNIFORMS = { uniform2fv: 2, uniform3fv: 3, uniform4fv: 4, uniformMatrix3fv: 9, uniformMatrix4fv: 16, uniform2iv: 2 };
 
@@ -79,6 +79,8 @@ export function webglImports(gl, memory) {
     glInvalidateFramebuffer: (target, count, at) => gl.invalidateFramebuffer(target, [...list(count, at)]),
     glBufferData: (target, size, at, usage) => gl.bufferData(target, memory.bytes.subarray(at, at + size), usage),
     glTexSubImage2D: (target, level, x, y, width, height, format, type, at) => gl.texSubImage2D(target, level, x, y, width, height, format, type, ...pixels(type, at)),
+    glTexSubImage3D: (target, level, x, y, z, width, height, depth, format, type, at) =>
+      gl.texSubImage3D(target, level, x, y, z, width, height, depth, format, type, ...pixels(type, at)),
     glReadPixels: (x, y, width, height, format, type, at) => gl.readPixels(x, y, width, height, format, type, ...pixels(type, at)),
     glGetIntegerv(what, at) {
       const value = what === 0x821b ? 3 : gl.getParameter(what); // MAJOR_VERSION

@@ -3,17 +3,18 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { open, picture } from "./browser.mjs";
 import { hdrFile } from "./light.mjs";
+import { solidFile } from "./solid.mjs";
 
 const truncated = hdrFile(64).subarray(0, 3000);
 let browser;
-before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256), "/test/truncated.hdr": truncated, "/test/empty.glb": Buffer.alloc(0), "/test/wrong.glb": Buffer.from("not a model at all") })));
+before(async () => (browser = await open({ "/test/light.hdr": hdrFile(64), "/test/solid.glb": solidFile(), "/test/truncated.hdr": truncated, "/test/empty.glb": Buffer.alloc(0), "/test/wrong.glb": Buffer.from("not a model at all") })));
 after(() => browser.close());
 
 const small = { width: 96, height: 64 };
-const knot = { src: "torus-knot", material: "gold", environment: "light.hdr", fidelity: "single" };
+const gem = { src: "solid.glb", material: "gold", environment: "light.hdr", fidelity: "single" };
 
 async function element(attributes, options = {}) {
-  const page = await browser.element({ ...knot, ...attributes }, { ...small, ...options });
+  const page = await browser.element({ ...gem, ...attributes }, { ...small, ...options });
   page.said = (type) => page.evaluate((type) => window.said.filter((event) => event.type === type), type);
   return page;
 }
@@ -91,7 +92,7 @@ test("parts have names, materials go to them, points of the picture find them", 
 test("the command names model, light and view", async () => {
   const page = await element({ material: "*=gold; *=silver", "camera-orbit": "0deg 90deg 4m", "camera-target": "0m 0m 0m", exposure: "1" });
   assert.equal(await page.evaluate(() => window.view.command),
-    "tukor render torus-knot --material '*=gold' --material '*=silver' --environment light.hdr --fidelity single --exposure 1 --eye 0,0,4 --target 0,0,0 --fov 40 --size 96x64 -o view.png");
+    "tukor render solid.glb --material '*=gold' --material '*=silver' --environment light.hdr --fidelity single --exposure 1 --eye 0,0,4 --target 0,0,0 --fov 40 --size 96x64 -o view.png");
   await page.context().close();
 });
 
@@ -166,7 +167,7 @@ test("a lost context comes back with the same picture", async () => {
 
 test("elements can be taken off the page and put back, many times", async () => {
   const page = await element({});
-  for (let i = 0; i < 20; i++) // more contexts than a browser keeps
+  for (let i = 0; i < 17; i++) // more contexts than a browser keeps
     await page.evaluate(async () => {
       window.view.remove();
       window.said.length = 0;
@@ -181,8 +182,8 @@ test("elements can be taken off the page and put back, many times", async () => 
 });
 
 test("without WebGL 2 it says so", async () => {
-  const bare = await open({ "/test/light.hdr": hdrFile(64) }, ["--disable-gpu", "--disable-software-rasterizer"]);
-  const page = await bare.element(knot, small);
+  const bare = await open({ "/test/light.hdr": hdrFile(64), "/test/solid.glb": solidFile() }, ["--disable-gpu", "--disable-software-rasterizer"]);
+  const page = await bare.element(gem, small);
   assert.deepEqual((await page.evaluate(() => window.said.filter(({ type }) => type === "error"))).map(({ message }) => message), ["WebGL 2 is not available in this browser"]);
   assert.equal(await page.evaluate(() => window.view.shadowRoot.querySelector("[role=alert]").textContent), "WebGL 2 is not available in this browser");
   await bare.close();
@@ -193,13 +194,13 @@ test("where no worker can draw, the page does it itself: the same picture", asyn
   const drawn = await picture(page, { ...small, samples: 2 });
   await page.context().close();
   const plain = await browser.blank();
-  await plain.evaluate(async ({ knot, small }) => {
+  await plain.evaluate(async ({ gem, small }) => {
     delete HTMLCanvasElement.prototype.transferControlToOffscreen;
     window.view = document.createElement("tukor-view");
-    for (const [name, value] of Object.entries(knot)) window.view.setAttribute(name, value);
+    for (const [name, value] of Object.entries(gem)) window.view.setAttribute(name, value);
     window.view.style.cssText = `width:${small.width}px;height:${small.height}px`;
     document.body.append(window.view);
-  }, { knot, small });
+  }, { gem, small });
   const own = await picture(plain, { ...small, samples: 2 });
   assert.deepEqual(plain.workers(), []);
   assert.deepEqual(own.data, drawn.data);

@@ -5,10 +5,10 @@ import { after, before, test } from "node:test";
 import { brotliCompressSync } from "node:zlib";
 import { open } from "./browser.mjs";
 import { hdrFile } from "./light.mjs";
-import { glbFile } from "./solid.mjs";
+import { solidFile } from "./solid.mjs";
 
 let browser;
-before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256), "/test/solid.glb": glbFile() })));
+before(async () => (browser = await open({ "/test/light.hdr": hdrFile(256), "/test/solid.glb": solidFile() })));
 after(() => browser.close());
 
 async function audit(page) {
@@ -18,7 +18,7 @@ async function audit(page) {
 }
 
 async function visit(path) {
-  const page = await browser.blank();
+  const page = await browser.blank({ deviceScaleFactor: 0.25 }); // SwiftShader draws it
   await page.goto(`${browser.origin}${path}`);
   await page.waitForFunction(() => document.querySelector("tukor-view").loaded, null, { timeout: 120000 });
   return page;

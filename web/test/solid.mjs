@@ -1,6 +1,9 @@
-// A small closed model as a GLB file: an octahedron of glass.
+// A small closed model as a GLB file: an octahedron.
 
-export function glbFile() {
+const GLASS = { name: "clear", extensions: { KHR_materials_transmission: { transmissionFactor: 1 } }, pbrMetallicRoughness: { roughnessFactor: 0 } };
+
+/** Of clear glass, or another material of glTF. */
+export function solidFile(material = GLASS) {
   const corners = [[1, 0, 0], [0, 0, -1], [-1, 0, 0], [0, 0, 1], [0, 1, 0], [0, -1, 0]];
   const triangles = [0, 1, 2, 3].flatMap((i) => [[i, (i + 1) % 4, 4], [(i + 1) % 4, i, 5]]);
   const positions = Buffer.from(Float32Array.from(corners.flat()).buffer);
@@ -11,8 +14,8 @@ export function glbFile() {
     scenes: [{ nodes: [0] }],
     nodes: [{ mesh: 0, name: "solid" }],
     meshes: [{ name: "solid", primitives: [{ attributes: { POSITION: 0 }, indices: 1, material: 0 }] }],
-    materials: [{ name: "clear", extensions: { KHR_materials_transmission: { transmissionFactor: 1 } }, pbrMetallicRoughness: { roughnessFactor: 0 } }],
-    extensionsUsed: ["KHR_materials_transmission"],
+    materials: [material],
+    extensionsUsed: Object.keys(material.extensions ?? {}),
     accessors: [
       { bufferView: 0, componentType: 5126, count: corners.length, type: "VEC3", min: [-1, -1, -1], max: [1, 1, 1] },
       { bufferView: 1, componentType: 5123, count: 3 * triangles.length, type: "SCALAR" },

@@ -38,7 +38,7 @@ GLint wrapOf(Wrap wrap) {
 const Program& FinishDrawer::programFor(const std::string& defines) {
     const auto found = programs_.find(defines);
     if (found != programs_.end()) return found->second;
-    return programs_.emplace(defines, Program(shaders::finishVert, shaders::finishFrag, defines))
+    return programs_.emplace(defines, Program(shaders::finishVert, finishShader(), defines))
         .first->second;
 }
 

@@ -117,6 +117,12 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
     throwPendingErrors("drawing a frame");
 }
 
+bool Renderer::preparesLight() const noexcept {
+    const bool finished = std::any_of(materials_.begin(), materials_.end(),
+                                      [](const Material& m) { return m.finish != nullptr; });
+    return (finished || tracedScene_.finished()) && !lightChain_.ready();
+}
+
 std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {
     const bool finished = std::all_of(materials_.begin(), materials_.end(),
                                       [](const Material& m) { return m.finish != nullptr; });

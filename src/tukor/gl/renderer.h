@@ -86,6 +86,10 @@ public:
     /// A window of the picture only: for pictures that are larger than textures.
     void drawFrame(const Camera& camera, const FrameOptions& options, const PictureWindow& window);
 
+    /// Whether the next frame has to prepare the light of finishes.
+    [[nodiscard]] bool preparesLight() const noexcept;
+    [[nodiscard]] const LightChain& lightChain() const noexcept { return lightChain_; }
+
     /// Forgets the frames so far.
     void resetAccumulation() noexcept {
         samples_ = 0;

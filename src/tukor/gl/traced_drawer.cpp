@@ -28,15 +28,15 @@ int tileSize(int rayBudget) {
 }  // namespace
 
 const Program& TracedDrawer::programFor(Fidelity fidelity, FresnelForm fresnel,
-                                        std::string_view sceneDefines, Counting counting) {
+                                        const ShaderSource& shader, std::string_view sceneDefines,
+                                        Counting counting) {
     const std::string defines =
         fmt::format("#define FIDELITY {}\n#define FRESNEL {}\n#define COUNTING {}\n{}",
                     static_cast<int>(fidelity), static_cast<int>(fresnel),
                     counting == Counting::all ? 1 : 0, sceneDefines);
     const auto found = programs_.find(defines);
     if (found != programs_.end()) return found->second;
-    return programs_
-        .emplace(defines, Program(shaders::fullViewportVert, shaders::tracedFrag, defines))
+    return programs_.emplace(defines, Program(shaders::fullViewportVert, shader, defines))
         .first->second;
 }
 
@@ -48,7 +48,9 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
         lampTable(frame.lights, frame.view.eye, frame.environmentFromWorld, frame.emissionFactor);
     if (scene.finished() && !lamps.empty())
         defines += fmt::format("#define LAMPS {}\n", lamps.size() / 4);
-    const Program& program = programFor(frame.fidelity, frame.fresnel, defines, counting);
+    const Program& program = programFor(
+        frame.fidelity, frame.fresnel,
+        scene.finished() ? tracedFinishesShader() : shaders::tracedFrag, defines, counting);
     const RenderOptions& options = frame.options;
     environment.bind(0);
     program.set("environment", 0);

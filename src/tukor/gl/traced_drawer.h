@@ -50,8 +50,8 @@ public:
               Counting counting, const Units& units, const Region& region);
 
 private:
-    const Program& programFor(Fidelity fidelity, FresnelForm fresnel, std::string_view sceneDefines,
-                              Counting counting);
+    const Program& programFor(Fidelity fidelity, FresnelForm fresnel, const ShaderSource& shader,
+                              std::string_view sceneDefines, Counting counting);
 
     std::map<std::string, Program> programs_;  // by their defines; compiled when first used
 };

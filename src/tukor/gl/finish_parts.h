@@ -1,0 +1,41 @@
+// What only surfaces with a Finish need, and little of that little: programs have it built in, a
+// page fetches it once a model has such a surface.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tukor/environment/cube_map.h"
+#include "tukor/gl/shader_source.h"
+#include "tukor/image/image.h"
+
+namespace tukor::gl {
+
+/// Levels of the chain; level i holds the perceptual roughness i / (kChainLevels - 1). The last is
+/// irradiance over pi.
+inline constexpr int kChainLevels = 6;
+inline constexpr int kChainFaceSize = 256;  // of level 0
+inline constexpr int kTableSize = 32;
+
+/// An environment: its panorama, or else its cube map.
+struct LightSource {
+    std::shared_ptr<const Image> panorama;
+    std::shared_ptr<const CubeMap> cube;
+};
+
+/// Texels as textures hold them: four half floats each.
+struct FinishLight {
+    std::vector<std::uint64_t> chain;  // level by level, six faces each
+    std::vector<std::uint64_t> table;  // of the split sum
+};
+
+/// Radiance is divided by `scale` first, see EnvironmentTexture.
+[[nodiscard]] FinishLight finishLight(const LightSource& source, float scale);
+
+/// finish.frag.
+[[nodiscard]] const ShaderSource& finishShader();
+
+/// traced.frag with its branches for FINISHES.
+[[nodiscard]] const ShaderSource& tracedFinishesShader();
+
+}  // namespace tukor::gl
