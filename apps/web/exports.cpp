@@ -195,6 +195,16 @@ EMSCRIPTEN_KEEPALIVE int tukor_frame(int width, int height) {
     return guarded([&] { return viewer->drawFrame(width, height); });
 }
 
+/// The same while the picture changes.
+EMSCRIPTEN_KEEPALIVE int tukor_moving_frame(int width, int height) {
+    return guarded([&] { return viewer->drawMoving(width, height); });
+}
+
+/// Seconds that the last of tukor_moving_frame() took.
+EMSCRIPTEN_KEEPALIVE void tukor_took(float seconds) {
+    viewer->took(seconds);
+}
+
 EMSCRIPTEN_KEEPALIVE int tukor_restart() {
     viewer->restart();
     return 0;

@@ -140,6 +140,18 @@ gl::FrameOptions Viewer::frameOptions(int width, int height) const noexcept {
 
 int Viewer::drawFrame(int width, int height) {
     renderer_.drawFrame(camera_, frameOptions(width, height));
+    return present(width, height);
+}
+
+int Viewer::drawMoving(int width, int height) {
+    gl::FrameOptions frame = frameOptions(width, height);
+    frame.picture = pace_.whileMoving(frame.picture);
+    restart();
+    renderer_.drawFrame(camera_, frame);
+    return present(width, height);
+}
+
+int Viewer::present(int width, int height) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     renderer_.present(display_, {0, 0, width, height});
     return renderer_.accumulatedSamples();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tukor/app/options.h"
+#include "tukor/app/pace.h"
 #include "tukor/environment/environment.h"
 #include "tukor/gl/renderer.h"
 #include "tukor/scene/scene.h"
@@ -38,6 +39,10 @@ public:
 
     /// Draws one more frame of the picture into the canvas. Returns the samples in it.
     int drawFrame(int width, int height);
+    /// Draws one that will be followed by others: as fine as the pace allows.
+    int drawMoving(int width, int height);
+    /// How long a frame of drawMoving() took, in seconds.
+    void took(double seconds) noexcept { pace_.took(seconds); }
     /// The picture anew from the next frame on.
     void restart() noexcept { renderer_.resetAccumulation(); }
 
@@ -63,7 +68,10 @@ private:
     [[nodiscard]] gl::FrameOptions frameOptions(int width, int height) const noexcept;
     void useEnvironment(Environment environment);
 
+    int present(int width, int height);
+
     gl::Renderer renderer_;
+    Pace pace_;
     RenderOptions options_;
     gl::DisplayOptions display_;
     Scene scene_;

@@ -414,12 +414,12 @@ export class TukorView extends HTMLElement {
     const moving = this.#moveCamera(now, turns);
     const { clientWidth, clientHeight } = this.#canvas;
     this.#size = { width: Math.max(1, Math.round(clientWidth * devicePixelRatio)), height: Math.max(1, Math.round(clientHeight * devicePixelRatio)) };
-    const restart = this.#restart || moving;
+    const coarse = this.#restart || moving; // a quick one first, then all of it
     this.#restart = false;
     this.#drawing = true;
     let samples;
     try {
-      samples = await link.ask("frame", { view: this.#camera.view(), ...this.#size, restart });
+      samples = await link.ask("frame", { view: this.#camera.view(), ...this.#size, moving: coarse });
     } catch (error) {
       if (link === this.#link && this.#awake) this.#fail(error);
       return;
@@ -427,7 +427,7 @@ export class TukorView extends HTMLElement {
       this.#drawing = false;
     }
     if (link !== this.#link || !this.#awake) return;
-    if (!this.#restart) this.#samples = samples;
+    if (!this.#restart) this.#samples = coarse ? 0 : samples;
     if (!this.#loaded) {
       this.#loaded = true;
       this.#poster.hidden = true;
@@ -436,7 +436,7 @@ export class TukorView extends HTMLElement {
     }
     if (moving) this.dispatchEvent(new CustomEvent("camera-change", { detail: { source: this.#movedAt > -Infinity ? "user-interaction" : "none" } }));
     this.dispatchEvent(new CustomEvent("frame", { detail: { samples, moving } }));
-    if (!this.#frame && this.#awake && (this.#restart || moving || turns || samples < REST_SAMPLES))
+    if (!this.#frame && this.#awake && (this.#restart || coarse || turns || samples < REST_SAMPLES))
       this.#frame = requestAnimationFrame((next) => this.#draw(next));
   }
 

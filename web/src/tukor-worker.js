@@ -98,8 +98,8 @@ class Host {
     this.#engine.call("set_camera", ...eye, ...target, fov);
   }
 
-  /** One more frame in the canvas; the samples in it. */
-  async frame({ view, width, height, restart }) {
+  /** One more frame in the canvas, coarse enough to be quick while `moving`; the samples in it. */
+  async frame({ view, width, height, moving }) {
     await this.#pending; // one frame is drawn while the next is thought of, no more
     const { canvas } = this;
     if (canvas.width !== width || canvas.height !== height) {
@@ -107,10 +107,10 @@ class Host {
       canvas.height = height;
     }
     await this.#light();
-    if (restart) this.#engine.call("restart");
     this.#place(view);
-    const samples = this.#engine.call("frame", width, height);
-    this.#pending = this.#drawn();
+    const begun = performance.now();
+    const samples = this.#engine.call(moving ? "moving_frame" : "frame", width, height);
+    this.#pending = this.#drawn().then(() => moving && this.#engine.wasm.tukor_took((performance.now() - begun) / 1000));
     return samples;
   }
 
