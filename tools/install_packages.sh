@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of the named sections of tools/packages.txt; does nothing when all are there.
+# Installs the Debian packages of the named sections of tools/packages.txt; does nothing when all are there. `NAME or COMMAND`: not where
+# that command is there already, from wherever it came.
 #
 # usage: tools/install_packages.sh build [demo] [test] [web] [bench]
 set -euo pipefail
@@ -8,8 +9,10 @@ list="$(dirname "$0")/packages.txt"
 wanted=()
 for section in "$@"; do
     grep -qx "\[$section\]" "$list" || { echo "install_packages.sh: no section [$section] in $list" >&2; exit 2; }
-    while read -r name _; do wanted+=("$name"); done < <(
-        awk -v s="[$section]" '/^\[/ { on = ($1 == s); next } on && NF && $1 !~ /^#/ { print $1 }' "$list")
+    while read -r name word command _; do
+        [ "$word" = or ] && command -v "$command" >/dev/null || wanted+=("$name")
+    done < <(
+        awk -v s="[$section]" '/^\[/ { on = ($1 == s); next } on && NF && $1 !~ /^#/' "$list")
 done
 
 missing=()

@@ -3,9 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# Node.js may come from elsewhere than Debian: ask for its packages only where the commands are missing.
-command -v npm >/dev/null && command -v em++ >/dev/null && command -v chromium >/dev/null || tools/install_packages.sh web
-tools/install_packages.sh build
+tools/install_packages.sh build web
 export NODE_PATH=/usr/share/nodejs # where Debian's emscripten keeps its JavaScript tools
 
 tools/stage_web_deps.sh build/web-deps

@@ -27,9 +27,12 @@ async function readPicture(name, bytes) {
 
 async function readExr(name, bytes) {
   const { readExr: decode } = await import("./hdrify.js"); // 30 KB, fetched only for an .exr
-  const image = await decode(bytes).catch((error) => {
+  let image;
+  try {
+    image = await decode(bytes);
+  } catch (error) {
     throw new Error(`${name}: ${error.message}`);
-  });
+  }
   const radiance = new Float32Array(3 * image.width * image.height);
   for (let i = 0, n = image.width * image.height; i < n; i++)
     for (let c = 0; c < 3; c++) radiance[3 * i + c] = image.data[4 * i + c];
