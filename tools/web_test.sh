@@ -4,4 +4,4 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 tools/web_build.sh
 cd web
-exec node --test --test-concurrency=1 test/
+exec node --test --test-concurrency=1 test/*.test.mjs

@@ -18,6 +18,7 @@
 #include "tukor/image/display.h"
 #include "tukor/image/radiance_file.h"
 #include "tukor/scene/gltf_file.h"
+#include "tukor/scene/gltf_textures.h"
 #include "viewer.h"
 
 namespace {
@@ -70,10 +71,24 @@ EMSCRIPTEN_KEEPALIVE int tukor_add_file(const char* name, const std::byte* bytes
     });
 }
 
-/// A glTF or GLB file.
-EMSCRIPTEN_KEEPALIVE int tukor_set_model(const char* name, const std::byte* bytes, int size) {
+/// An image of the glTF file that is read next, four bytes a texel.
+EMSCRIPTEN_KEEPALIVE int tukor_add_image(int index, const std::uint8_t* rgba, int width,
+                                         int height) {
     return guarded([&] {
-        viewer->setScene(tukor::loadGltf(name, {bytes, static_cast<std::size_t>(size)}));
+        tukor::giveGltfImage(static_cast<std::size_t>(index),
+                             {width, height, 4, {rgba, rgba + std::ptrdiff_t{4} * width * height}});
+        return 0;
+    });
+}
+
+/// A glTF or GLB file; `seconds` below zero is none.
+EMSCRIPTEN_KEEPALIVE int tukor_set_model(const char* name, const std::byte* bytes, int size,
+                                         const char* variant, double seconds) {
+    return guarded([&] {
+        tukor::ModelOptions options;
+        options.variant = variant;
+        if (seconds >= 0.0) options.timeSeconds = seconds;
+        viewer->setScene(tukor::loadGltf(name, {bytes, static_cast<std::size_t>(size)}, options));
         tukor::forgetMemoryFiles();
         return 0;
     });

@@ -1,5 +1,7 @@
 // Files of an element: fetched from where its attributes say, or dropped by a person; read here, never sent anywhere.
 
+import { gltfContents, neighbourUris } from "./gltf-json.js";
+
 export const baseName = (url) => url.split(/[?#]/)[0].split("/").at(-1);
 
 /** The bytes behind a URL; `arrived` hears the fraction of them that is there. */
@@ -19,16 +21,10 @@ export async function download(url, name, arrived = () => {}) {
   return new Uint8Array(await new Blob(pieces).arrayBuffer());
 }
 
-/** The buffers that a .gltf names: from its own folder or below, nowhere else. */
+/** The files that a .gltf names: from its own folder or below, nowhere else. */
 export async function neighbours(bytes, name, url) {
   if (!/\.gltf$/i.test(name) || !url) return [];
-  let json;
-  try {
-    json = JSON.parse(new TextDecoder().decode(bytes));
-  } catch {
-    return []; // the library says what is wrong with it
-  }
-  const uris = [].concat(json?.buffers ?? []).map((buffer) => buffer?.uri).filter((uri) => typeof uri === "string" && !uri.startsWith("data:"));
+  const uris = neighbourUris(gltfContents(bytes)?.json);
   const folder = new URL(".", url).href;
   return Promise.all(uris.map(async (uri) => {
     const target = new URL(uri, url);

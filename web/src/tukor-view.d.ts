@@ -32,6 +32,10 @@ export declare class TukorView extends HTMLElement {
   background: string | null;
   /** "gold", or "Stone=diamond; Band=gold" by part or material name, or figures: "ior:1.2". */
   material: string | null;
+  /** One of the model's own looks (KHR_materials_variants), by name. */
+  variant: string | null;
+  /** A moment of the model's first animation; as modelled unless given. */
+  timeSeconds: string | null;
   /** single, double or exact. */
   fidelity: string | null;
   /** exact or schlick. */

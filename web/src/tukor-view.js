@@ -20,10 +20,12 @@ const FIGURES = {
   "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
   "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
   exposure: [number, 0],
+  "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
 };
 const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 const FLAGS = ["auto-rotate", "camera-controls"];
-const OTHERS = ["src", "environment", "material", "alt", "poster", "loading", "reveal", ...FLAGS];
+const MODEL = ["src", "variant", "time-seconds"]; // the model is read anew
+const OTHERS = ["src", "variant", "environment", "material", "alt", "poster", "loading", "reveal", ...FLAGS];
 
 export class TukorView extends HTMLElement {
   static observedAttributes = [...Object.keys(CHOICES), ...Object.keys(FIGURES), ...CAMERA, ...OTHERS];
@@ -111,7 +113,7 @@ export class TukorView extends HTMLElement {
     if (name === "src" && this.#visible) this.#start();
     if (name === "auto-rotate") this.#wake();
     if (!this.#link) return;
-    if (name === "src") this.#loadModel();
+    if (MODEL.includes(name)) this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
     else if (name === "material") this.#guard(() => this.#materials());
     else if (name in CHOICES || name in FIGURES) this.#guard(() => this.#option(name));
@@ -133,7 +135,7 @@ export class TukorView extends HTMLElement {
   /** The `tukor render` command that gives the present view; files are named as the page names them. */
   get command() {
     if (!this.#loaded) return "";
-    const options = Object.keys(CHOICES).filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
+    const options = [...Object.keys(CHOICES), "variant"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     for (const name of Object.keys(FIGURES))
       if (this.hasAttribute(name)) options.push([`--${name}`, this.#figure(name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
     return renderCommand({ ...this.#names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#size });
@@ -248,7 +250,7 @@ export class TukorView extends HTMLElement {
   }
 
   #sendAll() {
-    for (const name of [...Object.keys(CHOICES), ...Object.keys(FIGURES)]) if (this.hasAttribute(name)) this.#guard(() => this.#option(name));
+    for (const name of [...Object.keys(CHOICES), ...Object.keys(FIGURES)]) if (this.hasAttribute(name) && !MODEL.includes(name)) this.#guard(() => this.#option(name));
     return Promise.all([this.#loadModel(), this.#loadEnvironment()]);
   }
 
@@ -268,11 +270,12 @@ export class TukorView extends HTMLElement {
       const files = bytes ? await neighbours(bytes, name, url) : [];
       if (!current()) return;
       const aspect = this.#canvas.clientWidth / this.#canvas.clientHeight || 1;
-      const { framing, parts } = await this.#link.ask("model", { name, bytes, files, aspect }, bytes ? [bytes.buffer] : []);
+      const { framing, parts } = await this.#link.ask("model", { name, bytes, files, aspect, variant: this.getAttribute("variant") ?? "", seconds: this.#figure("time-seconds") }, bytes ? [bytes.buffer] : []);
       if (!current()) return;
       this.#parts = parts;
-      this.#camera.frame(framing);
       this.#materials();
+      if (this.#ready.src && this.#names.src === (this.#files.src?.name ?? this.getAttribute("src"))) return; // another look of the same: the view stays
+      this.#camera.frame(framing);
       for (const attribute of CAMERA) this.#guard(() => this.#cameraAttribute(attribute));
       this.#camera.jump();
     });

@@ -135,7 +135,7 @@ test("mouse, wheel and keys move the camera, and only with camera-controls", asy
   await page.context().close();
 });
 
-test("one finger turns, two pinch", async () => {
+test("one finger turns, two pinch and move", async () => {
   const page = await element({ "camera-controls": "" }, { hasTouch: true });
   const client = await page.context().newCDPSession(page);
   const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
@@ -149,7 +149,76 @@ test("one finger turns, two pinch", async () => {
   await touch("touchStart", [40, 40], [50, 40]);
   await touch("touchMove", [30, 40], [70, 40]);
   await touch("touchEnd");
-  assert.ok((await orbit()).radius < 0.5 * turned.radius, "spreading four times as wide comes four times closer");
+  const pinched = await orbit();
+  assert.ok(pinched.radius < 0.5 * turned.radius, "spreading four times as wide comes four times closer");
+  const target = () => page.evaluate(() => ({ ...window.view.getCameraTarget() }));
+  const before2 = await target();
+  await touch("touchStart", [30, 40], [50, 40]);
+  await touch("touchMove", [30, 20], [50, 20]);
+  await touch("touchEnd");
+  const after2 = await target();
+  assert.ok(after2.y < before2.y - 0.01, "two fingers carry the model up");
+  const still = await orbit();
+  assert.ok(Math.abs(still.radius / pinched.radius - 1) < 0.2 && Math.abs(still.theta - pinched.theta) < 1e-6, "without turning it");
+  await page.context().close();
+});
+
+test("auto-rotate turns the model, not for those who ask for less motion, and the camera then jumps", async () => {
+  for (const reducedMotion of ["no-preference", "reduce"]) {
+    const page = await element({ "auto-rotate": "" }, { reducedMotion });
+    const theta = () => page.evaluate(() => window.view.getCameraOrbit().theta);
+    const before = await theta();
+    if (reducedMotion === "no-preference") await page.waitForFunction((before) => window.view.getCameraOrbit().theta > before + 0.02, before);
+    else {
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      assert.equal(await theta(), before);
+      await page.evaluate(() => new Promise((resolve) => {
+        window.view.addEventListener("frame", resolve, { once: true });
+        window.view.cameraOrbit = "80deg 90deg auto";
+      }));
+      assert.ok(Math.abs((await theta()) - (80 * Math.PI) / 180) < 1e-6, "in one frame");
+    }
+    await page.context().close();
+  }
+});
+
+test("several elements live on a page; those off-screen sleep until they are scrolled to", async () => {
+  const page = await element({});
+  await page.evaluate(({ gem, small }) => {
+    for (let i = 0; i < 3; i++) {
+      const view = document.createElement("tukor-view");
+      for (const [name, value] of Object.entries(gem)) view.setAttribute(name, value);
+      view.style.cssText = `width:${small.width}px;height:${small.height}px;${i === 2 ? "margin-top:5000px" : ""}`;
+      document.body.append(view);
+    }
+  }, { gem, small });
+  const loaded = () => page.evaluate(() => [...document.querySelectorAll("tukor-view")].map((view) => view.loaded));
+  await page.waitForFunction(() => [...document.querySelectorAll("tukor-view")].slice(0, 3).every((view) => view.loaded));
+  assert.deepEqual(await loaded(), [true, true, true, false]);
+  await page.evaluate(() => document.querySelectorAll("tukor-view")[3].scrollIntoView());
+  await page.waitForFunction(() => document.querySelectorAll("tukor-view")[3].loaded);
+  // The others draw no more.
+  await new Promise((resolve) => setTimeout(resolve, 1500));
+  const before = await page.evaluate(() => {
+    window.frames = 0;
+    window.view.addEventListener("frame", () => window.frames++);
+    window.view.exposure = "1";
+    return window.frames;
+  });
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  assert.equal(await page.evaluate(() => window.frames), before);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test("a poster stays until it is dismissed where the model is revealed by hand", async () => {
+  const page = await element({ reveal: "manual", poster: "data:image/png;base64,iVBORw0KGgo=" }, { wait: false });
+  const poster = () => page.evaluate(() => window.view.shadowRoot.querySelector(".poster").hidden);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  assert.deepEqual([await poster(), await page.evaluate(() => window.view.loaded)], [false, false]);
+  await page.evaluate(() => window.view.dismissPoster());
+  await page.waitForFunction(() => window.view.loaded);
+  assert.equal(await poster(), true);
   await page.context().close();
 });
 

@@ -31,6 +31,10 @@ Wrap wrapOf(const JsonItem& sampler, const char* member) {
     }
 }
 
+#ifdef __EMSCRIPTEN__
+std::map<std::size_t, Texels> givenImages;
+#endif
+
 // Offset, then rotation, then scale; the rotation turns pictures counter-clockwise as v runs down.
 void transform(const JsonItem& extension, TextureMap& map) {
     const auto offset = extension.numbers<2>("offset").value_or(std::array<double, 2>{0.0, 0.0});
@@ -45,6 +49,12 @@ void transform(const JsonItem& extension, TextureMap& map) {
 }
 
 }  // namespace
+
+#ifdef __EMSCRIPTEN__
+void giveGltfImage(std::size_t index, Texels texels) {
+    givenImages[index] = std::move(texels);
+}
+#endif
 
 TextureMap GltfTextures::mapOf(const JsonItem& textureInfo, std::string_view material) {
     TextureMap map;
@@ -80,7 +90,16 @@ TextureMap GltfTextures::mapOf(const JsonItem& textureInfo, std::string_view mat
 
 void GltfTextures::decode() {
 #ifdef __EMSCRIPTEN__
-    if (!wanted_.empty()) notes_.add("textures are not rendered in browsers");
+    for (const auto& [index, user] : wanted_) {
+        const auto given = givenImages.find(index);
+        if (given == givenImages.end())
+            notes_.add("textures that the browser cannot decode, left out",
+                       fmt::format("image {}", index));
+        else
+            *known_[index] = std::move(given->second);
+    }
+    wanted_.clear();
+    givenImages.clear();
 #else
     std::vector<Picture> pictures(wanted_.size());
     std::uint64_t total = 0;

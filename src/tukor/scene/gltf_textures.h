@@ -11,6 +11,11 @@
 
 namespace tukor {
 
+#ifdef __EMSCRIPTEN__
+/// An image of the glTF file that is read next: browsers decode them.
+void giveGltfImage(std::size_t index, Texels texels);
+#endif
+
 /// Images are asked for while materials are read, and decoded together at the end.
 class GltfTextures {
 public:
