@@ -23,7 +23,7 @@ test("says progress up to 1, then load, once, and no error", async () => {
   const page = await element({});
   const said = await page.evaluate(() => window.said.map(({ type, totalProgress }) => [type, totalProgress]));
   const progress = said.filter(([type]) => type === "progress").map(([, fraction]) => fraction);
-  assert.deepEqual(progress, progress.toSorted((a, b) => a - b));
+  assert.deepEqual(progress, [...progress].sort((a, b) => a - b));
   assert.equal(progress.at(-1), 1);
   assert.equal(said.filter(([type]) => type === "load").length, 1);
   assert.equal(said.filter(([type]) => type === "error").length, 0);

@@ -1,5 +1,5 @@
 // A small closed model as a GLB file: an octahedron, with one or two materials to choose from and a picture.
-import { crc32, deflateSync } from "node:zlib";
+import { deflateSync } from "node:zlib";
 
 const GLASS = { name: "clear", extensions: { KHR_materials_transmission: { transmissionFactor: 1 } }, pbrMetallicRoughness: { roughnessFactor: 0 } };
 
@@ -48,6 +48,15 @@ export function solidFile(material = GLASS, { other = null, image = null } = {})
   const head = Buffer.from("glTF\x02\0\0\0\0\0\0\0", "latin1");
   head.writeUInt32LE(12 + body.length, 8);
   return Buffer.concat([head, body]);
+}
+
+function crc32(bytes) {
+  let crc = -1;
+  for (const byte of bytes) {
+    crc ^= byte;
+    for (let bit = 0; bit < 8; bit++) crc = (crc >>> 1) ^ (crc & 1 ? 0xedb88320 : 0);
+  }
+  return ~crc >>> 0;
 }
 
 /** A PNG of one row of colours, four numbers each. */
