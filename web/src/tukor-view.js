@@ -1,81 +1,35 @@
 // <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed behind link.js.
+import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, cameraGoal, figureOf, reflect, upgrade } from "./attributes.js";
+import { renderCommand } from "./command.js";
+import { listen, spokenView } from "./controls.js";
+import { neighbours } from "./files.js";
 import { Link } from "./link.js";
 import { OrbitCamera } from "./orbit-camera.js";
-import { listen, spokenView } from "./controls.js";
-import { angle, number, orbit, point } from "./units.js";
-import { baseName, download, neighbours } from "./files.js";
-import { renderCommand } from "./command.js";
-import { styleSheet } from "./style.js";
-
-const REST_SAMPLES = 256; // frames accumulated at rest; the picture no longer changes visibly after that
-const AUTO_ROTATE = Math.PI / 16; // rad/s
-const STANDARD_FOV = (40 * Math.PI) / 180;
-const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
-
-/** Attributes with a word for a value, which the library reads, and the word when there is none. */
-const CHOICES = { background: "quad", fidelity: "exact", fresnel: "exact", "tone-map": "neutral" };
-/** Attributes with a figure: how it is read, in the library's unit, and the figure when there is none. */
-const FIGURES = {
-  "environment-rotation": [angle, 0],
-  "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
-  "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
-  exposure: [number, 0],
-  "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
-};
-const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
-const FLAGS = ["auto-rotate", "camera-controls"];
-const MODEL = ["src", "variant", "time-seconds"]; // the model is read anew
-const OTHERS = ["src", "variant", "environment", "material", "alt", "poster", "loading", "reveal", ...FLAGS];
+import { Player } from "./player.js";
+import { Sources } from "./sources.js";
+import { Stage } from "./stage.js";
+import { blobOf, dataUrlOf } from "./stills.js";
 
 export class TukorView extends HTMLElement {
-  static observedAttributes = [...Object.keys(CHOICES), ...Object.keys(FIGURES), ...CAMERA, ...OTHERS];
+  static observedAttributes = ATTRIBUTES;
 
-  #root = this.attachShadow({ mode: "open" });
-  #canvas;
-  #poster;
-  #bar;
-  #message;
-  #spoken;
+  #stage = new Stage(this.attachShadow({ mode: "open" }));
+  #camera = new OrbitCamera();
+  #sources = new Sources();
+  #player = new Player(this.#camera, this.#playerHost());
   #link = null;
   #starting = null;
-  #camera = new OrbitCamera();
   #stop = null; // AbortController of everything that listens while connected
   #controlled = null; // the same for the camera's controls
-  #serial = { src: 0, environment: 0 }; // the newest request wins
-  #files = { src: null, environment: null }; // dropped ones, until the attribute changes
-  #names = { src: "", environment: "studio" }; // of what is shown
-  #ready = { src: false, environment: false };
-  #share = { src: 0, environment: 0 }; // fractions that have arrived
   #parts = [];
-  #size = { width: 300, height: 150 }; // of the picture, in pixels
   #visible = false;
-  #frame = 0;
-  #drawing = false;
-  #restart = false;
-  #last = 0;
-  #samples = 0;
-  #movedAt = -Infinity;
   #speaking = 0;
   #loaded = false;
   #dismissed = false;
 
   constructor() {
     super();
-    this.#root.adoptedStyleSheets = [styleSheet()];
-    const make = (tag, properties) => Object.assign(document.createElement(tag), properties);
-    this.#canvas = make("canvas", { role: "img" });
-    this.#poster = make("div", { className: "poster" });
-    this.#bar = make("progress", { className: "bar", max: 1, value: 0, hidden: true, ariaLabel: "Loading" });
-    this.#message = make("p", { className: "message", hidden: true, role: "alert" });
-    this.#spoken = make("div", { className: "spoken", role: "status" });
-    this.#root.append(this.#canvas, this.#poster, make("slot", { name: "poster" }), this.#bar, this.#message, this.#spoken);
-    for (const property of Object.keys(PROPERTIES)) { // values set before the element was defined
-      if (Object.hasOwn(this, property)) {
-        const value = this[property];
-        delete this[property];
-        this[property] = value;
-      }
-    }
+    upgrade(this);
   }
 
   connectedCallback() {
@@ -83,42 +37,38 @@ export class TukorView extends HTMLElement {
     observe(IntersectionObserver, (entries) => {
       this.#visible = entries.at(-1).isIntersecting;
       if (this.#visible) this.#start();
-      this.#wake();
+      this.#player.wake();
     }, this, signal);
-    observe(ResizeObserver, () => this.#changed(), this, signal);
-    document.addEventListener("visibilitychange", () => this.#wake(), { signal });
+    observe(ResizeObserver, () => this.#player.changed(), this, signal);
+    document.addEventListener("visibilitychange", () => this.#player.wake(), { signal });
     this.#controls();
     if (this.getAttribute("loading") === "eager") this.#start();
   }
 
   disconnectedCallback() {
     this.#stop.abort();
-    cancelAnimationFrame(this.#frame);
     clearTimeout(this.#speaking);
-    this.#frame = 0;
     this.#link?.close();
     this.#visible = false;
     this.#forget();
-    const canvas = this.#canvas.cloneNode(); // a context cannot be taken off its canvas
-    this.#canvas.replaceWith(canvas);
-    this.#canvas = canvas;
+    this.#stage.renewCanvas();
   }
 
   attributeChangedCallback(name, before, now) {
     if (before === now) return;
     if (name === "alt") this.#describe();
-    if (name === "poster") this.#poster.style.backgroundImage = now ? `url(${JSON.stringify(now)})` : "";
+    if (name === "poster") this.#stage.setPoster(now);
     if (name === "camera-controls" && this.#stop) this.#controls(); // not yet connected while the parser upgrades it
-    if (name in this.#files) this.#files[name] = null;
+    if (name in this.#sources.files) this.#sources.files[name] = null;
     if (name === "src" && this.#visible) this.#start();
-    if (name === "auto-rotate") this.#wake();
+    if (name === "auto-rotate") this.#player.wake();
     if (!this.#link) return;
     if (MODEL.includes(name)) this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
     else if (name === "material") this.#guard(() => this.#materials());
-    else if (name in CHOICES || name in FIGURES) this.#guard(() => this.#option(name));
-    else if (CAMERA.includes(name)) this.#guard(() => this.#cameraAttribute(name));
-    this.#changed();
+    else if (OPTIONS.includes(name)) this.#guard(() => this.#option(name));
+    else if (CAMERA.includes(name)) this.#guard(() => this.#aim(name));
+    this.#player.changed();
   }
 
   // ---- the public methods ----
@@ -127,7 +77,7 @@ export class TukorView extends HTMLElement {
   get loaded() { return this.#loaded; }
 
   /** Samples a pixel accumulated in the picture at rest. */
-  get accumulatedSamples() { return this.#samples; }
+  get accumulatedSamples() { return this.#player.samples; }
 
   /** Parts of the model: [{name, material}], in drawing order. */
   get parts() { return this.#parts.map((part) => ({ ...part })); }
@@ -137,14 +87,14 @@ export class TukorView extends HTMLElement {
     if (!this.#loaded) return "";
     const options = [...Object.keys(CHOICES), "variant"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     for (const name of Object.keys(FIGURES))
-      if (this.hasAttribute(name)) options.push([`--${name}`, this.#figure(name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
-    return renderCommand({ ...this.#names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#size });
+      if (this.hasAttribute(name)) options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
+    return renderCommand({ ...this.#sources.names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#player.size });
   }
 
   /** Ends the easing of the camera: the view is its goal from the next frame on. */
   jumpCameraToGoal() {
     this.#camera.jump();
-    this.#changed();
+    this.#player.changed();
   }
 
   getCameraOrbit() {
@@ -161,13 +111,13 @@ export class TukorView extends HTMLElement {
   dismissPoster() {
     this.#dismissed = true;
     this.#start();
-    this.#poster.hidden = true;
+    this.#stage.poster.hidden = true;
   }
 
   /** Name of the part under a point of the page (client coordinates), or null. */
   async partAtPoint(clientX, clientY) {
-    if (!this.#ready.src) return null;
-    const { left, top, width, height } = this.#canvas.getBoundingClientRect();
+    if (!this.#sources.isReady("src")) return null;
+    const { left, top, width, height } = this.#stage.canvas.getBoundingClientRect();
     const parts = this.#parts;
     const index = await this.#link.ask("pick", { view: this.#camera.view(), x: (clientX - left) / width, y: (clientY - top) / height, aspect: width / height });
     return index === 0 ? null : parts[index - 1].name;
@@ -179,50 +129,39 @@ export class TukorView extends HTMLElement {
   }
 
   /** Renders the present view at any size, with so many samples a pixel: straight-alpha 8-bit sRGB. */
-  async render({ width = this.#size.width, height = this.#size.height, samples = 64 } = {}) {
+  async render({ width = this.#player.size.width, height = this.#player.size.height, samples = 64 } = {}) {
     if (!(width >= 1 && height >= 1 && width <= 16384 && height <= 16384))
       throw new RangeError(`size ${width} x ${height}: expected 1 to 16384 pixels a side`);
     await this.#whenLoaded();
     const bytes = await this.#link.ask("still", { view: this.#camera.view(), width, height, samples });
-    this.#changed();
+    this.#player.changed();
     return new ImageData(new Uint8ClampedArray(bytes.buffer), width, height);
   }
 
   async toBlob({ mimeType = "image/png", qualityArgument, ...size } = {}) {
-    const image = await this.render(size);
-    const canvas = new OffscreenCanvas(image.width, image.height);
-    canvas.getContext("2d").putImageData(image, 0, 0);
-    return canvas.convertToBlob({ type: mimeType, quality: qualityArgument });
+    return blobOf(await this.render(size), mimeType, qualityArgument);
   }
 
   /** A data URL of the present view. Unlike a canvas's own, it is a promise: the picture is rendered anew, to the end. */
   async toDataURL(mimeType = "image/png", qualityArgument = undefined) {
-    const blob = await this.toBlob({ mimeType, qualityArgument });
-    return new Promise((resolve, reject) => {
-      const reader = new FileReader();
-      reader.onload = () => resolve(reader.result);
-      reader.onerror = () => reject(reader.error);
-      reader.readAsDataURL(blob);
-    });
+    return dataUrlOf(await this.toBlob({ mimeType, qualityArgument }));
   }
 
   /** Loads a dropped or chosen model file; nothing leaves the page. */
   async loadModelFile(file) {
-    this.#files.src = file;
-    if (this.#link) await this.#loadModel();
-    else await this.#start();
+    this.#sources.files.src = file;
+    await (this.#link ? this.#loadModel() : this.#start());
   }
 
   async loadEnvironmentFile(file) {
-    this.#files.environment = file;
-    if (this.#link) await this.#loadEnvironment();
-    else await this.#start();
+    this.#sources.files.environment = file;
+    await (this.#link ? this.#loadEnvironment() : this.#start());
   }
 
   // ---- starting and loading ----
 
   #start() {
-    if (!this.hasAttribute("src") && !this.#files.src) return null;
+    if (!this.#sources.nameOf("src", this.getAttribute("src"))) return null;
     const waits = this.getAttribute("reveal") === "manual" && this.getAttribute("loading") !== "eager" && !this.#dismissed;
     if (!waits) this.#starting ??= this.#begin().catch((error) => this.#fail(error));
     return this.#starting;
@@ -231,17 +170,16 @@ export class TukorView extends HTMLElement {
   /** Nothing is shown, and nothing is under way. */
   #forget() {
     this.#link = this.#starting = null;
-    this.#loaded = this.#drawing = false;
-    this.#ready = { src: false, environment: false };
-    this.#share = { src: 0, environment: 0 };
-    for (const what of ["src", "environment"]) this.#serial[what]++;
+    this.#loaded = false;
+    this.#player.stop();
+    this.#sources.forget();
   }
 
   async #begin() {
     this.#progress(0);
-    const canvas = this.#canvas;
+    const { canvas } = this.#stage;
     const link = await Link.open(canvas, (event) => this.#contextSaid(event));
-    if (canvas !== this.#canvas || !this.isConnected) { // removed meanwhile
+    if (canvas !== this.#stage.canvas || !this.isConnected) { // removed meanwhile
       link.close();
       return;
     }
@@ -250,7 +188,7 @@ export class TukorView extends HTMLElement {
   }
 
   #sendAll() {
-    for (const name of [...Object.keys(CHOICES), ...Object.keys(FIGURES)]) if (this.hasAttribute(name) && !MODEL.includes(name)) this.#guard(() => this.#option(name));
+    for (const name of OPTIONS) if (this.hasAttribute(name)) this.#guard(() => this.#option(name));
     return Promise.all([this.#loadModel(), this.#loadEnvironment()]);
   }
 
@@ -266,53 +204,36 @@ export class TukorView extends HTMLElement {
   }
 
   #loadModel() {
-    return this.#load("src", this.getAttribute("src"), /^[a-z-]+$/, async ({ name, bytes, url }, current) => {
+    return this.#load("src", this.getAttribute("src"), async ({ name, bytes, url }, current) => {
       const files = bytes ? await neighbours(bytes, name, url) : [];
       if (!current()) return;
-      const aspect = this.#canvas.clientWidth / this.#canvas.clientHeight || 1;
-      const { framing, parts } = await this.#link.ask("model", { name, bytes, files, aspect, variant: this.getAttribute("variant") ?? "", seconds: this.#figure("time-seconds") }, bytes ? [bytes.buffer] : []);
+      const wanted = { name, bytes, files, aspect: this.#stage.aspect, variant: this.getAttribute("variant") ?? "", seconds: figureOf(this, "time-seconds") };
+      const { framing, parts } = await this.#link.ask("model", wanted, bytes ? [bytes.buffer] : []);
       if (!current()) return;
       this.#parts = parts;
-      this.#materials();
-      if (this.#ready.src && this.#names.src === (this.#files.src?.name ?? this.getAttribute("src"))) return; // another look of the same: the view stays
+      this.#guard(() => this.#materials());
+      if (this.#sources.isReady("src") && this.#sources.names.src === this.#sources.nameOf("src", this.getAttribute("src"))) return; // another look of the same: the view stays
       this.#camera.frame(framing);
-      for (const attribute of CAMERA) this.#guard(() => this.#cameraAttribute(attribute));
+      for (const attribute of CAMERA) this.#guard(() => this.#aim(attribute));
       this.#camera.jump();
     });
   }
 
   #loadEnvironment() {
-    return this.#load("environment", this.getAttribute("environment") ?? "studio", /^[a-z]+$/,
-      ({ name, bytes }) => this.#link.ask("environment", { name, bytes }, bytes ? [bytes.buffer] : []));
+    return this.#load("environment", this.getAttribute("environment") ?? "studio", ({ name, bytes }) => this.#link.ask("environment", { name, bytes }, bytes ? [bytes.buffer] : []));
   }
 
-  /** A dropped file, a built-in or a URL, handed to `send` as {name, bytes, url}; no bytes for a built-in. */
-  async #load(what, attribute, builtIn, send) {
-    const serial = ++this.#serial[what];
-    const current = () => serial === this.#serial[what] && this.#link;
-    const file = this.#files[what];
-    const source = file ? file.name : attribute;
-    if (!source) return;
-    const name = file ? file.name : baseName(source);
+  async #load(what, attribute, send) {
     try {
-      const found = { name, bytes: undefined, url: null };
-      if (file) found.bytes = new Uint8Array(await file.arrayBuffer());
-      else if (!builtIn.test(source)) {
-        found.url = new URL(source, document.baseURI);
-        found.bytes = await download(found.url, name, (fraction) => current() && this.#arrives(what, 0.9 * fraction));
-      }
-      if (found.bytes?.length === 0) throw new Error(`${name}: an empty file`);
-      if (!current()) return;
-      await send(found, current);
-      if (!current()) return;
-      this.#names[what] = source;
-      this.#ready[what] = true;
+      const shown = await this.#sources.load(what, attribute, send, () => {
+        if (!this.#loaded) this.#progress(0.95 * this.#sources.arrived);
+      });
+      if (!shown || !this.#link) return;
       if (what === "src") this.#loaded = false; // the next frame says `load` again
-      this.#message.hidden = true;
-      this.#arrives(what, 1);
-      this.#changed();
+      this.#stage.say();
+      this.#player.changed();
     } catch (error) {
-      if (current()) this.#fail(error);
+      if (this.#link) this.#fail(error);
     }
   }
 
@@ -333,138 +254,75 @@ export class TukorView extends HTMLElement {
 
   #option(name) {
     if (name in CHOICES) return this.#link.ask("option", { name, text: (this.getAttribute(name) ?? CHOICES[name]).trim() });
-    if (name === "exposure") return this.#link.ask("exposure", { stops: this.#figure(name) });
-    if (name === "max-depth") return this.#link.ask("depth", { depth: this.#figure(name) });
-    return this.#link.ask("light", { rotation: this.#figure("environment-rotation"), intensity: this.#figure("environment-intensity") });
+    if (name === "exposure") return this.#link.ask("exposure", { stops: figureOf(this, name) });
+    if (name === "max-depth") return this.#link.ask("depth", { depth: figureOf(this, name) });
+    return this.#link.ask("light", { rotation: figureOf(this, "environment-rotation"), intensity: figureOf(this, "environment-intensity") });
   }
 
-  #figure(name) {
-    const [read, standard] = FIGURES[name];
-    const text = this.getAttribute(name);
-    const value = text === null ? standard : read(text);
-    if (value === null) throw new Error(`${name}="${text}": not understood`);
-    return value;
-  }
-
-  #cameraAttribute(name) {
-    const framing = this.#camera.framing;
-    const text = this.getAttribute(name);
-    if (name === "camera-orbit") {
-      const value = orbit(text ?? "auto auto auto", framing);
-      if (!value) throw new Error(`camera-orbit="${text}": expected three values such as "30deg 75deg 4m" or "auto 75deg 120%"`);
-      this.#camera.set(value);
-    } else if (name === "camera-target") {
-      const value = point(text ?? "auto", framing);
-      if (!value) throw new Error(`camera-target="${text}": expected auto or three lengths such as "0m 1m 0m"`);
-      this.#camera.set({ target: value });
-    } else {
-      const value = text === null || text === "auto" ? STANDARD_FOV : angle(text);
-      if (!(value > 0 && value < Math.PI)) throw new Error(`field-of-view="${text}": expected an angle between 0deg and 180deg`);
-      this.#camera.set({ fov: value });
-    }
+  #aim(name) {
+    this.#camera.set(cameraGoal(this, name, this.#camera.framing));
   }
 
   #controls() {
     this.#controlled?.abort();
     this.#controlled = new AbortController();
-    const interactive = this.hasAttribute("camera-controls");
-    if (interactive) this.#canvas.tabIndex = 0;
-    else this.#canvas.removeAttribute("tabindex");
-    this.#canvas.setAttribute("role", interactive ? "application" : "img");
     this.#describe();
-    if (interactive) listen(this.#canvas, this.#camera, () => this.#steered(), AbortSignal.any([this.#controlled.signal, this.#stop.signal]));
+    const signal = AbortSignal.any([this.#controlled.signal, this.#stop.signal]);
+    if (this.hasAttribute("camera-controls")) listen(this.#stage.canvas, this.#camera, () => this.#steered(), signal);
   }
 
   #describe() {
-    const name = this.getAttribute("alt") || "3D model";
-    const keys = ". Arrow keys turn it, page up and page down zoom, shift with arrow keys moves it.";
-    this.#canvas.setAttribute("aria-label", this.hasAttribute("camera-controls") ? name + keys : name);
+    this.#stage.describe(this.getAttribute("alt") || "3D model", this.hasAttribute("camera-controls"));
   }
 
   #steered() {
-    this.#movedAt = performance.now();
-    this.#changed();
+    this.#player.movedAt = performance.now();
+    this.#player.changed();
     clearTimeout(this.#speaking);
-    this.#speaking = setTimeout(() => {
-      const words = spokenView(this.#camera.goal.theta, this.#camera.goal.phi);
-      if (words !== this.#spoken.textContent) this.#spoken.textContent = words;
-    }, 300);
+    this.#speaking = setTimeout(() => this.#stage.speak(spokenView(this.#camera.goal.theta, this.#camera.goal.phi)), 300);
   }
 
-  // ---- drawing ----
+  // ---- drawing and telling ----
 
-  #changed() {
-    this.#samples = 0;
-    this.#restart = true;
-    this.#wake();
+  #playerHost() {
+    const view = this;
+    return {
+      get awake() { return Boolean(view.#link) && view.#visible && !document.hidden && view.#sources.allReady; },
+      get turns() { return view.hasAttribute("auto-rotate"); },
+      get size() { return view.#stage.size; },
+      async ask(values) {
+        const link = view.#link;
+        try {
+          const samples = await link.ask("frame", values);
+          return link === view.#link && this.awake ? samples : null;
+        } catch (error) {
+          if (link === view.#link && this.awake) throw error;
+          return null;
+        }
+      },
+      drawn: (frame) => view.#drawn(frame),
+      failed: (error) => view.#fail(error),
+    };
   }
 
-  get #awake() {
-    return this.#link && this.#visible && !document.hidden && this.#ready.src && this.#ready.environment;
-  }
-
-  #wake() {
-    if (this.#frame || this.#drawing || !this.#awake) return;
-    this.#last = performance.now();
-    this.#frame = requestAnimationFrame((now) => this.#draw(now));
-  }
-
-  async #draw(now) {
-    this.#frame = 0;
-    if (!this.#awake) return;
-    const link = this.#link;
-    const turns = this.hasAttribute("auto-rotate") && !reducedMotion.matches;
-    const moving = this.#moveCamera(now, turns);
-    const { clientWidth, clientHeight } = this.#canvas;
-    this.#size = { width: Math.max(1, Math.round(clientWidth * devicePixelRatio)), height: Math.max(1, Math.round(clientHeight * devicePixelRatio)) };
-    const coarse = this.#restart || moving; // a quick one first, then all of it
-    this.#restart = false;
-    this.#drawing = true;
-    let samples;
-    try {
-      samples = await link.ask("frame", { view: this.#camera.view(), ...this.#size, moving: coarse });
-    } catch (error) {
-      if (link === this.#link && this.#awake) this.#fail(error);
-      return;
-    } finally {
-      this.#drawing = false;
-    }
-    if (link !== this.#link || !this.#awake) return;
-    if (!this.#restart) this.#samples = coarse ? 0 : samples;
+  #drawn({ samples, moving }) {
     if (!this.#loaded) {
       this.#loaded = true;
-      this.#poster.hidden = true;
+      this.#stage.poster.hidden = true;
       this.#progress(1);
-      this.dispatchEvent(new CustomEvent("load", { detail: { url: this.getAttribute("src") } }));
+      this.#tell("load", { url: this.getAttribute("src") });
     }
-    if (moving) this.dispatchEvent(new CustomEvent("camera-change", { detail: { source: this.#movedAt > -Infinity ? "user-interaction" : "none" } }));
-    this.dispatchEvent(new CustomEvent("frame", { detail: { samples, moving } }));
-    if (!this.#frame && this.#awake && (this.#restart || coarse || turns || samples < REST_SAMPLES))
-      this.#frame = requestAnimationFrame((next) => this.#draw(next));
+    if (moving) this.#tell("camera-change", { source: this.#player.movedAt > -Infinity ? "user-interaction" : "none" });
+    this.#tell("frame", { samples, moving });
   }
 
-  /** Eases the camera towards its goal; whether it moved. */
-  #moveCamera(now, turns) {
-    const seconds = Math.min((now - this.#last) / 1000, 0.1);
-    this.#last = now;
-    const turning = turns && now - this.#movedAt > 3000;
-    if (turning) this.#camera.rotate(AUTO_ROTATE * seconds, 0);
-    const before = this.#camera.view();
-    if (reducedMotion.matches) this.#camera.jump();
-    return this.#camera.step(seconds) || turning || before.eye.some((x, i) => x !== this.#camera.view().eye[i]);
-  }
-
-  // ---- telling ----
-
-  #arrives(what, fraction) {
-    this.#share[what] = fraction;
-    if (!this.#loaded) this.#progress(0.95 * (0.5 * this.#share.src + 0.5 * this.#share.environment));
+  #tell(type, detail) {
+    this.dispatchEvent(new CustomEvent(type, { detail }));
   }
 
   #progress(fraction) {
-    this.#bar.value = fraction;
-    this.#bar.hidden = fraction >= 1;
-    this.dispatchEvent(new CustomEvent("progress", { detail: { totalProgress: fraction } }));
+    this.#stage.progress(fraction);
+    this.#tell("progress", { totalProgress: fraction });
   }
 
   /** Does something that may be refused, now or later. */
@@ -472,7 +330,7 @@ export class TukorView extends HTMLElement {
     const link = this.#link;
     try {
       await action();
-      if (link === this.#link) this.#message.hidden = true;
+      if (link === this.#link) this.#stage.say();
     } catch (error) {
       if (link === this.#link) this.#fail(error);
     }
@@ -480,10 +338,8 @@ export class TukorView extends HTMLElement {
 
   #fail(error) {
     if (error.lost) return; // the context comes back, and all is sent again
-    this.#message.textContent = error.message;
-    this.#message.hidden = false;
-    this.#bar.hidden = true;
-    this.dispatchEvent(new CustomEvent("error", { detail: { message: error.message, sourceError: error } }));
+    this.#stage.say(error.message);
+    this.#tell("error", { message: error.message, sourceError: error });
   }
 }
 
@@ -494,22 +350,5 @@ function observe(Kind, callback, element, signal) {
   signal.addEventListener("abort", () => observer.disconnect());
 }
 
-/** Every attribute is a property too, in camel case. */
-const PROPERTIES = {};
-for (const name of TukorView.observedAttributes) {
-  const property = name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
-  const flag = FLAGS.includes(name);
-  PROPERTIES[property] = {
-    get() { return flag ? this.hasAttribute(name) : this.getAttribute(name); },
-    set(value) {
-      if (flag) this.toggleAttribute(name, Boolean(value));
-      else if (value === null || value === undefined) this.removeAttribute(name);
-      else this.setAttribute(name, value);
-    },
-    configurable: true,
-    enumerable: true,
-  };
-}
-Object.defineProperties(TukorView.prototype, PROPERTIES);
-
+reflect(TukorView.prototype);
 customElements.define("tukor-view", TukorView);

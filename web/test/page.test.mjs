@@ -51,6 +51,27 @@ test("the editor takes a dropped environment and writes HTML and command", async
   await page.context().close();
 });
 
+test("in the editor a click on a part chooses it, and HTML and command can be copied", async () => {
+  const page = await visit("/editor.html");
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.selectOption("#environment", "sky");
+  const box = await page.locator("tukor-view").boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForFunction(() => document.querySelector("#part").value === "glass");
+  await page.fill("#material", "flint-glass");
+  await page.locator("#material").blur();
+  assert.equal(await page.getAttribute("tukor-view", "material"), "glass=flint-glass");
+  await page.waitForFunction(() => document.querySelector("tukor-view").command.includes("sky"));
+  for (const [what, expected] of [["html", /<tukor-view src="tumbler" environment="sky" material="glass=flint-glass"[^>]*camera-controls><\/tukor-view>/], ["command", /^tukor render tumbler --material glass=flint-glass --environment sky /]]) {
+    await page.click(`#copy-${what}`);
+    await page.waitForFunction(() => document.querySelector("#notice").textContent === "Copied");
+    await page.evaluate(() => (document.querySelector("#notice").textContent = ""));
+    assert.match(await page.evaluate(() => navigator.clipboard.readText()), expected);
+  }
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test("all that a page fetches for a GLB with an .hdr is at most 130 KB, compressed", async () => {
   const page = await browser.blank();
   const fetched = new Set();

@@ -1,0 +1,85 @@
+// The attributes of <tukor-view>: what their values are, and the properties that they are in scripts.
+import { angle, number, orbit, point } from "./units.js";
+
+const STANDARD_FOV = (40 * Math.PI) / 180;
+
+/** With a word for a value, which the library reads, and the word when there is none. */
+export const CHOICES = { background: "quad", fidelity: "exact", fresnel: "exact", "tone-map": "neutral" };
+
+/** With a figure: how it is read, in the library's unit, and the figure when there is none. */
+export const FIGURES = {
+  "environment-rotation": [angle, 0],
+  "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
+  "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
+  exposure: [number, 0],
+  "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
+};
+
+export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
+
+/** Of these the model is read anew. */
+export const MODEL = ["src", "variant", "time-seconds"];
+
+/** Of these the library is told at once. */
+export const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(FIGURES)].filter((name) => !MODEL.includes(name));
+
+const FLAGS = ["auto-rotate", "camera-controls"];
+export const ATTRIBUTES = [...new Set([...OPTIONS, ...CAMERA, ...MODEL, ...FLAGS, "environment", "material", "alt", "poster", "loading", "reveal"])];
+
+export function figureOf(element, name) {
+  const [read, standard] = FIGURES[name];
+  const text = element.getAttribute(name);
+  const value = text === null ? standard : read(text);
+  if (value === null) throw new Error(`${name}="${text}": not understood`);
+  return value;
+}
+
+/** What an attribute of the camera says, as OrbitCamera takes it. */
+export function cameraGoal(element, name, framing) {
+  const text = element.getAttribute(name);
+  if (name === "camera-orbit") {
+    const value = orbit(text ?? "auto auto auto", framing);
+    if (!value) throw new Error(`camera-orbit="${text}": expected three values such as "30deg 75deg 4m" or "auto 75deg 120%"`);
+    return value;
+  }
+  if (name === "camera-target") {
+    const target = point(text ?? "auto", framing);
+    if (!target) throw new Error(`camera-target="${text}": expected auto or three lengths such as "0m 1m 0m"`);
+    return { target };
+  }
+  const fov = text === null || text === "auto" ? STANDARD_FOV : angle(text);
+  if (!(fov > 0 && fov < Math.PI)) throw new Error(`field-of-view="${text}": expected an angle between 0deg and 180deg`);
+  return { fov };
+}
+
+const PROPERTIES = {};
+for (const name of ATTRIBUTES) {
+  const property = name.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+  const flag = FLAGS.includes(name);
+  PROPERTIES[property] = {
+    get() { return flag ? this.hasAttribute(name) : this.getAttribute(name); },
+    set(value) {
+      if (flag) this.toggleAttribute(name, Boolean(value));
+      else if (value === null || value === undefined) this.removeAttribute(name);
+      else this.setAttribute(name, value);
+    },
+    configurable: true,
+    enumerable: true,
+  };
+}
+
+/** Makes every attribute a property too, in camel case. */
+export function reflect(prototype) {
+  Object.defineProperties(prototype, PROPERTIES);
+}
+
+/** Passes on what was set before the element was defined. */
+export function upgrade(element) {
+  for (const property of Object.keys(PROPERTIES)) {
+    if (Object.hasOwn(element, property)) {
+      const value = element[property];
+      delete element[property];
+      element[property] = value;
+    }
+  }
+}
