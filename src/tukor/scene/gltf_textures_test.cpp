@@ -91,6 +91,25 @@ TEST(GltfTextures, AreTransformed) {
     EXPECT_NEAR(place.y, -1.75f, 1e-5);
 }
 
+// The extension's own example: "only the lower left quadrant of the source image, rotated clockwise
+// 90 degrees". [KHR_texture_transform]
+TEST(GltfTextures, TurnTheWayTheSpecificationSays) {
+    const Scene scene = triangleWith(images(pngUri(1, 1)) + R"("materials": [{
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "extensions":
+        {"KHR_texture_transform": {"offset": [0, 1], "rotation": 1.57079632679,
+        "scale": [0.5, 0.5]}}}}}], "textures": [{"source": 0}])");
+    const TextureMap& map = scene.parts[0].material.finish->map(TextureRole::baseColor);
+    const auto expectAt = [&](glm::vec2 uv, glm::vec2 place) {
+        EXPECT_LT(glm::length(map.imageFromUv * glm::vec3(uv, 1) - place), 1e-5f)
+            << uv.x << ' ' << uv.y;
+    };
+    // The quadrant's corners, whose top lies to the right now: (0, 0) is the top left.
+    expectAt({0, 0}, {0, 1});
+    expectAt({1, 0}, {0, 0.5f});
+    expectAt({1, 1}, {0.5f, 0.5f});
+    expectAt({0, 1}, {0.5f, 1});
+}
+
 TEST(GltfTextures, ThatCannotBeReadAreLeftOutWithAWarning) {
     const std::string textures = R"("textures": [{"source": 0}])";
     const auto warnings = [&](const std::string& uri) {
