@@ -50,6 +50,7 @@ struct SubjectOptions {
     std::vector<std::string> materials;  // NAME or PATTERN=NAME, later ones win
     std::string variant;                 // of the model's own looks; empty: its own choice
     std::optional<float> timeSeconds;    // of the model's animation; none: at rest
+    std::optional<float> dispersion;     // factor on that of clear materials; none: the files' own
 
     friend bool operator==(const SubjectOptions&, const SubjectOptions&) = default;
 };
@@ -60,6 +61,8 @@ struct LightOptions {
     float intensity = 1.0f;
     std::optional<int> faceSize;  // texels per edge of its cube map; none: by its resolution
     Background background = Background::quad;
+    std::vector<std::string> lights;  // beside it: DIRECTION[/COLOUR]
+    std::string ground;               // its height, or `lowest`; empty: none
 
     friend bool operator==(const LightOptions&, const LightOptions&) = default;
 };
@@ -143,6 +146,9 @@ void describe(Options& o, Visitor&& field) {
     field("variant", o.variant, Placeholder{"NAME"}, "one of the looks that a glTF model offers");
     field("time-seconds", o.timeSeconds, Measure<float>{"S", {0.0f, 1e6f}},
           "a moment of a glTF model's first animation; without it the model stands at rest");
+    field("dispersion", o.dispersion, Measure<float>{"X", {0.0f, 100.0f}},
+          "factor on the dispersion of clear materials, 1 as measured; without it named materials "
+          "have none and those of glTF files what the file says (trace)");
 }
 
 template <OptionsOf<LightOptions> Options, class Visitor>
@@ -157,6 +163,15 @@ void describe(Options& o, Visitor&& field) {
     field(
         "background", o.background, Spellings<Background>(kBackgroundSpellings),
         "how the environment is drawn behind the model; quad, box and dome give the same picture");
+    field(
+        "light", o.lights, Placeholder{"X,Y,Z[/R,G,B]"},
+        "light from one direction besides, seen by rough, diffuse and textured surfaces: where it "
+        "comes from, and the colour of a white matt surface that faces it, 1,1,1 unless given; "
+        "may be repeated");
+    field("ground", o.ground, Placeholder{"Y|lowest"},
+          "a ground at this height, or under the lowest point of the model: it shows the "
+          "environment behind it, with the shadows on it and the light that things throw there "
+          "(trace)");
 }
 
 template <OptionsOf<CameraOptions> Options, class Visitor>

@@ -1,11 +1,14 @@
 #include "tukor/app/session.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "tukor/app/option_text.h"
 #include "tukor/app/suggestion.h"
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
@@ -88,6 +91,41 @@ CameraOptions optionsFromCamera(const Camera& camera, const CameraOptions& befor
     return options;
 }
 
+Light lightFromText(std::string_view text) {
+    const Measure<float> any{"X,Y,Z", {-1e6f, 1e6f}};
+    const auto slash = text.find('/');
+    Light light;
+    light.name = text;
+    try {
+        const glm::vec3 from = valueFromText(ValueType<glm::vec3>{}, any, text.substr(0, slash));
+        if (!(glm::length(from) > 0.0f)) throw Error("0,0,0 is no direction");
+        light.direction = -glm::normalize(from);
+        glm::vec3 colour(1.0f);
+        if (slash != text.npos)
+            colour = valueFromText(ValueType<glm::vec3>{}, Measure<float>{"R,G,B", {0.0f, 1e6f}},
+                                   text.substr(slash + 1));
+        light.intensity = colour * std::numbers::pi_v<float>;
+    } catch (const Error& error) {
+        throw Error(fmt::format("light '{}': {}; expected X,Y,Z or X,Y,Z/R,G,B", text.substr(0, 60),
+                                error.what()));
+    }
+    return light;
+}
+
+std::optional<float> groundFromText(std::string_view text, const Scene& scene) {
+    if (text.empty()) return std::nullopt;
+    if (text == "lowest") {
+        const Bounds bounds = boundsOf(scene);
+        return bounds.empty() ? 0.0f : bounds.least.y;
+    }
+    try {
+        return valueFromText(ValueType<float>{}, Measure<float>{"Y", {-1e6f, 1e6f}}, text);
+    } catch (const Error& error) {
+        throw Error(
+            fmt::format("ground: {}; expected a height in metres, or lowest", error.what()));
+    }
+}
+
 Session::Session(const SessionOptions& options, LookUps lookUps) : lookUps_(lookUps) {
     apply(options);
 }
@@ -103,8 +141,9 @@ void Session::apply(const SessionOptions& options) {
     const bool modelsChange = first || options.subject.models != options_.subject.models ||
                               options.subject.variant != options_.subject.variant ||
                               options.subject.timeSeconds != options_.subject.timeSeconds;
-    const bool materialsChange =
-        modelsChange || options.subject.materials != options_.subject.materials;
+    const bool materialsChange = modelsChange ||
+                                 options.subject.materials != options_.subject.materials ||
+                                 options.subject.dispersion != options_.subject.dispersion;
     if (modelsChange) {
         scene = loadModels(options.subject);
         own = materialsOf(*scene);
@@ -116,12 +155,18 @@ void Session::apply(const SessionOptions& options) {
             lookUps_ == LookUps::panorama ? std::optional(8) : std::nullopt;
         environment = loadEnvironment(options.light.environment, {options.light.faceSize, beside});
     }
+    std::vector<Light> ownLights = scene ? scene->lights : ownLights_;
+    std::vector<Light> lights = ownLights;
+    for (const std::string& light : options.light.lights) lights.push_back(lightFromText(light));
+    const bool lightsChange = modelsChange || options.light.lights != options_.light.lights;
     Scene& target = scene ? *scene : scene_;
+    (void)groundFromText(options.light.ground, target);
     const std::vector<Material> before = materialsOf(target);
     try {
         if (materialsChange) {
             for (std::size_t i = 0; i < own.size(); ++i) target.parts[i].material = own[i];
             assignMaterials(target, options.subject.materials);
+            if (options.subject.dispersion) setDispersion(target, *options.subject.dispersion);
         }
         camera_ = cameraFromOptions(options.camera, target, options.quality.size);
     } catch (const Error&) {
@@ -131,6 +176,10 @@ void Session::apply(const SessionOptions& options) {
     if (scene) {
         scene_ = std::move(*scene);
         ownMaterials_ = std::move(own);
+    }
+    if (lightsChange) {
+        scene_.lights = std::move(lights);
+        ownLights_ = std::move(ownLights);
         ++sceneRevision_;
     }
     if (environment) {
@@ -158,6 +207,7 @@ RenderOptions Session::renderOptions() const {
     render.rayBudget = quality.rayBudget;
     render.weightCutoff = quality.weightCutoff;
     render.maxDepth = quality.maxDepth;
+    render.ground = groundFromText(options_.light.ground, scene_);
     return render;
 }
 
@@ -167,6 +217,13 @@ std::vector<std::string> Session::warnings() const {
         const std::vector<std::string> open = closednessWarnings(scene_);
         all.insert(all.end(), open.begin(), open.end());
     }
+    const bool disperses =
+        std::any_of(scene_.parts.begin(), scene_.parts.end(),
+                    [](const Part& part) { return part.material.dispersion > 0.0f; });
+    if (!options_.light.ground.empty() && lookUps_ == LookUps::cube)
+        all.emplace_back("ground is not drawn by gl; --renderer trace shows it");
+    if (disperses && lookUps_ == LookUps::cube)  // gl's
+        all.emplace_back("dispersion is not drawn by gl; --renderer trace shows it");
     for (const std::string& warning : environment_->warnings) {
         all.push_back(environment_->name + ": " + warning);
     }

@@ -48,6 +48,7 @@ private:
     LookUps lookUps_;
     SessionOptions options_;
     Scene scene_;
+    std::vector<Light> ownLights_;        // the model's
     std::vector<Material> ownMaterials_;  // the parts' materials before --material
     std::optional<Environment> environment_;
     Camera camera_;
@@ -59,6 +60,12 @@ private:
 /// where eye and target coincide.
 [[nodiscard]] Camera cameraFromOptions(const CameraOptions& options, const Scene& scene,
                                        PictureSize size);
+
+/// `--light`'s X,Y,Z[/R,G,B]. Throws Error.
+[[nodiscard]] Light lightFromText(std::string_view text);
+
+/// The height that `--ground` names; none where it is empty. Throws Error.
+[[nodiscard]] std::optional<float> groundFromText(std::string_view text, const Scene& scene);
 
 /// The options that describe this camera completely. `before` is where it came from: a field of
 /// view that did not change keeps its value in degrees to the last digit.

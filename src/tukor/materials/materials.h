@@ -25,6 +25,7 @@ struct NamedMaterial {
     Material material;
     std::string_view wavelengths;  // in nm, for R, G, B or for all three; empty: not measured
     std::string_view source;       // as in docs/references.md
+    float abbe = 0.0f;             // number for the F, d and C lines; 0: not known
 };
 
 /// All of them: mirror, the lecture's four, metals, dielectrics.
@@ -35,6 +36,9 @@ struct NamedMaterial {
 
 /// By its name, whatever the case; none when it is unknown.
 [[nodiscard]] std::optional<Material> findMaterial(std::string_view name) noexcept;
+
+/// Abbe's number of a dielectric in the table with the same figures; 0 where there is none.
+[[nodiscard]] float abbeNumberOf(const Material& material) noexcept;
 
 /// What `--material` takes: a name, or figures.
 ///

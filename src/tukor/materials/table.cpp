@@ -1,5 +1,6 @@
 // The table of named materials. Metals for R, G, B at 650, 550 and 450 nm, interpolated linearly in
-// the published tables; dielectrics at the sodium line.
+// the published tables; dielectrics at the sodium line. Abbe's numbers by the formulas of the same
+// sources; those of the lecture's glass and water are fused quartz's and the CRC Handbook's.
 #include <array>
 #include <cctype>
 
@@ -50,8 +51,8 @@ const std::array kTable = {
                   kLecture},
     NamedMaterial{"silver", "silver", metal({0.15f, 0.14f, 0.13f}, {3.7f, 3.11f, 2.47f}), "",
                   kLecture},
-    NamedMaterial{"glass", "the glass of the lecture", solid(1.46f), "", kLecture},
-    NamedMaterial{"water", "water, without its absorption", liquid(1.333f), "", kLecture},
+    NamedMaterial{"glass", "the glass of the lecture", solid(1.46f), "", kLecture, 67.8f},
+    NamedMaterial{"water", "water, without its absorption", liquid(1.333f), "", kLecture, 55.8f},
 
     NamedMaterial{"copper", "copper", metal({0.238f, 1.007f, 1.240f}, {3.626f, 2.582f, 2.393f}),
                   kRgb, kNoble},
@@ -78,34 +79,37 @@ const std::array kTable = {
                   kRgb, "[Weaver et al. 1975]"},
 
     NamedMaterial{"crown-glass", "borosilicate crown glass, N-BK7", solid(1.5168f), "587.6",
-                  "[Schott 2023]"},
+                  "[Schott 2023]", 64.17f},
     NamedMaterial{"flint-glass", "dense flint glass, SF11", solid(1.7847f), "587.6",
-                  "[Schott 2023]"},
+                  "[Schott 2023]", 25.76f},
     NamedMaterial{"window-glass", "clear soda-lime glass", solid(1.5233f), kSodium, "[Rubin 1985]"},
-    NamedMaterial{"fused-quartz", "vitreous silica", solid(1.4584f), kSodium, "[Malitson 1965]"},
+    NamedMaterial{"fused-quartz", "vitreous silica", solid(1.4584f), kSodium, "[Malitson 1965]",
+                  67.8f},
     NamedMaterial{"acrylic", "poly(methyl methacrylate)", solid(1.4905f), kSodium,
-                  "[Sultanova et al. 2009]"},
+                  "[Sultanova et al. 2009]", 53.2f},
     NamedMaterial{"polycarbonate", "polycarbonate", solid(1.5846f), kSodium,
-                  "[Sultanova et al. 2009]"},
+                  "[Sultanova et al. 2009]", 27.9f},
     NamedMaterial{"ice", "ice, ordinary ray", solid(1.3091f, glm::vec3(0.0f), kIcePriority),
                   kSodium, "[CRC Handbook 2014]"},
-    NamedMaterial{"rock-salt", "sodium chloride", solid(1.5443f), kSodium, "[Li 1976]"},
-    NamedMaterial{"quartz", "rock crystal, ordinary ray", solid(1.5442f), kSodium, "[Ghosh 1999]"},
+    NamedMaterial{"rock-salt", "sodium chloride", solid(1.5443f), kSodium, "[Li 1976]", 42.9f},
+    NamedMaterial{"quartz", "rock crystal, ordinary ray", solid(1.5442f), kSodium, "[Ghosh 1999]",
+                  69.7f},
     NamedMaterial{"sapphire", "colourless sapphire, ordinary ray", solid(1.7682f), kSodium,
-                  "[Malitson & Dodge 1972]"},
+                  "[Malitson & Dodge 1972]", 72.3f},
     NamedMaterial{"cubic-zirconia", "cubic zirconia", solid(2.1588f), kSodium,
-                  "[Wood & Nassau 1982]"},
-    NamedMaterial{"diamond", "diamond", solid(2.4173f), kSodium, "[Peter 1923]"},
+                  "[Wood & Nassau 1982]", 33.5f},
+    NamedMaterial{"diamond", "diamond", solid(2.4173f), kSodium, "[Peter 1923]", 55.3f},
     NamedMaterial{"ethanol", "ethanol, 20 C", liquid(1.3611f), kSodium, "[CRC Handbook 2014]"},
     NamedMaterial{"glycerol", "glycerol, 20 C", liquid(1.4746f), kSodium, "[CRC Handbook 2014]"},
     NamedMaterial{"olive-oil", "olive oil, 20 C", liquid(1.4690f), kSodium,
                   "[Codex Alimentarius 33], middle of 1.4677 to 1.4705"},
     NamedMaterial{"deep-water", "water with its absorption, for pools and ponds",
-                  liquid(1.333f, {0.340f, 0.0565f, 0.00922f}), kRgb, "[Pope & Fry 1997]"},
+                  liquid(1.333f, {0.340f, 0.0565f, 0.00922f}), kRgb, "[Pope & Fry 1997]", 55.8f},
     NamedMaterial{"air", "air, for bubbles: displaces whatever surrounds it",
                   solid(1.000277f, glm::vec3(0.0f), kBubblePriority), kSodium, "[Ciddor 1996]"},
 
-    NamedMaterial{"ruby", "red corundum", solid(1.7682f, {0.15f, 3.0f, 2.4f}), kSodium, kByEye},
+    NamedMaterial{"ruby", "red corundum", solid(1.7682f, {0.15f, 3.0f, 2.4f}), kSodium, kByEye,
+                  72.3f},
     NamedMaterial{"emerald", "green beryl", solid(1.579f, {2.2f, 0.25f, 1.4f}), kSodium, kByEye},
     NamedMaterial{"amber", "amber", solid(1.540f, {0.15f, 0.75f, 3.0f}), kSodium, kByEye},
     NamedMaterial{"green-glass", "bottle glass", solid(1.5233f, {1.2f, 0.2f, 0.9f}), kSodium,
@@ -136,6 +140,12 @@ std::span<const NamedMaterial> namedMaterials() noexcept {
 
 std::span<const std::string_view> materialNames() noexcept {
     return kNames;
+}
+
+float abbeNumberOf(const Material& material) noexcept {
+    for (const NamedMaterial& named : kTable)
+        if (named.abbe > 0.0f && named.material == material) return named.abbe;
+    return 0.0f;
 }
 
 std::optional<Material> findMaterial(std::string_view name) noexcept {

@@ -81,6 +81,14 @@ void assignMaterials(Scene& scene, std::span<const std::string> specifications) 
     }
 }
 
+void setDispersion(Scene& scene, float factor) {
+    for (Part& part : scene.parts) {
+        Material& material = part.material;
+        const float abbe = abbeNumberOf(material);
+        material.dispersion = factor * (abbe > 0.0f ? 20.0f / abbe : material.dispersion);
+    }
+}
+
 void append(Scene& scene, Scene added) {
     const auto move = [](auto& to, auto& from) {
         to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));

@@ -16,6 +16,10 @@ namespace tukor {
 /// is what parseMaterial() takes. Throws Error; a pattern without a match lists what there is.
 void assignMaterials(Scene& scene, std::span<const std::string> specifications);
 
+/// Lets clear materials disperse light: those of the table as is known of them, others as their
+/// file says, both times `factor`.
+void setDispersion(Scene& scene, float factor);
+
 /// Whether the whole of `text` matches. Time grows with the product of the lengths at most.
 [[nodiscard]] bool matchesPattern(std::string_view text, std::string_view pattern) noexcept;
 

@@ -62,7 +62,8 @@ struct Finish {
     float normalScale = 1.0f;
     float occlusionStrength = 1.0f;  // of light from all around, where nothing is traced
     bool doubleSided = false;
-    bool unlit = false;  // shows its base colour, whatever the light
+    bool catcher = false;  // ground: shows what is behind it but for shadows and light of things
+    bool unlit = false;    // shows its base colour, whatever the light
 
     float ior = 1.5f;               // of what is not metallic
     float specular = 1.0f;          // factor on its reflectance

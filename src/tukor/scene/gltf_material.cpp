@@ -94,6 +94,9 @@ bool readExtension(const std::string& name, const JsonItem& item, Surface& s,
         s.iridescenceIor = std::clamp(s.iridescenceIor, 1.0f, 10.0f);
     } else if (name == "KHR_materials_emissive_strength") {
         s.emission *= static_cast<float>(std::max(item.numberOr("emissiveStrength", 1.0), 0.0));
+    } else if (name == "KHR_materials_dispersion") {
+        reader.number("dispersion", s.dispersion);
+        s.dispersion = std::clamp(s.dispersion, 0.0f, 100.0f);
     } else if (name == "KHR_materials_unlit") {
         s.unlit = true;
     } else {

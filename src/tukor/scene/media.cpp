@@ -79,7 +79,7 @@ MediaTable mediaOf(const Scene& scene) {
             table.mediumOfPart[part] = static_cast<int>(table.media.size());
         }
         const Material& material = scene.parts[groups[group].parts.front()].material;
-        table.media.push_back({material.eta.x, material.sigmaA});
+        table.media.push_back({material.eta.x, material.sigmaA, material.dispersion});
     }
     return table;
 }

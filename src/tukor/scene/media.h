@@ -8,8 +8,9 @@ namespace tukor {
 
 /// Index and absorption of a clear medium.
 struct DielectricMedium {
-    float eta = 1.0f;        // against vacuum
-    glm::vec3 sigmaA{0.0f};  // 1/m
+    float eta = 1.0f;         // against vacuum
+    glm::vec3 sigmaA{0.0f};   // 1/m
+    float dispersion = 0.0f;  // 20 over Abbe's number
 };
 
 /// Rays carry the set of media around them as 32 bits, of which the highest is the one that is

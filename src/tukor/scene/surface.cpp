@@ -19,10 +19,13 @@ glm::vec3 absorption(glm::vec3 colour, float distance) noexcept {
 Material nearestIdeal(const Surface& surface) {
     const glm::vec3 colour = glm::clamp(surface.baseColor, glm::vec3(0.0f), glm::vec3(1.0f));
     if (surface.metallic >= 0.5f) return metalFromReflectance(colour);
-    if (surface.transmission > 0.0f && surface.solid)
-        return dielectricMaterial(
-            std::clamp(surface.ior, 1.0f, 10.0f),
-            absorption(surface.attenuationColor, surface.attenuationDistance));
+    if (surface.transmission > 0.0f && surface.solid) {
+        Material material =
+            dielectricMaterial(std::clamp(surface.ior, 1.0f, 10.0f),
+                               absorption(surface.attenuationColor, surface.attenuationDistance));
+        material.dispersion = surface.dispersion;
+        return material;
+    }
     return mirrorMaterial(colour);
 }
 

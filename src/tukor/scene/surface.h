@@ -15,6 +15,7 @@ struct Surface : Finish {
     std::string name;
     glm::vec3 attenuationColor{1.0f};  // left of white light after attenuationDistance
     float attenuationDistance = 0.0f;  // m; 0: nothing is absorbed
+    float dispersion = 0.0f;           // 20 over Abbe's number
 };
 
 /// Whether it is one of the ideal smooth surfaces of Material, to which no finish adds anything:

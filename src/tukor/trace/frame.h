@@ -28,6 +28,7 @@ struct RayGenerator {
 };
 
 class RoughEvent;
+class Spectrum;
 
 struct Frame {
     const SurfaceTable& surfaces;
@@ -40,7 +41,8 @@ struct Frame {
     int width;
     int height;
     std::uint32_t seed;
-    const RoughEvent* rough = nullptr;  // null: all surfaces are ideally smooth
+    const RoughEvent* rough = nullptr;   // null: all surfaces are ideally smooth
+    const Spectrum* spectrum = nullptr;  // null: nothing disperses light
 };
 
 /// The media that contain a point, by the surfaces that rays from there cross on their way out.

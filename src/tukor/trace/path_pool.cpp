@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
 #include "tukor/trace/rough_event.h"
 #include "tukor/trace/rounding.h"
+#include "tukor/trace/spectrum.h"
 #include "tukor/transport/look_ups.h"
 
 namespace tukor::trace {
@@ -95,23 +97,53 @@ void PathPool::meet(Path& path, RayHit hit) noexcept {
             if (hit.surface >= 0) look();
         }
     }
+    if (frame_.spectrum && hit.surface >= 0 && surface.kind == transport::kDielectric)
+        disperse(path, met);
     if (frame_.rough && meetRough(path, hit, surface, met)) return;
     if (hit.surface < 0) {
         collect(path, transport::escape(path.tree));
     } else {
-        collect(path, transport::scatter(path.tree, surface, met, frame_.surfaces.medium(met.from),
-                                         frame_.surfaces.medium(met.to), frame_.settings));
+        collect(path, transport::scatter(path.tree, surface, met, mediumOf(path, met.from),
+                                         mediumOf(path, met.to), frame_.settings));
     }
+}
+
+void PathPool::disperse(Path& path, const transport::Encounter& met) const noexcept {
+    const SurfaceTable& surfaces = frame_.surfaces;
+    if (path.wavelength > 0.0f || !(surfaces.disperses(met.from) || surfaces.disperses(met.to)))
+        return;
+    // The samples of a pixel cover the spectrum evenly.
+    PathSampler sampler = path.sampler;
+    sampler.pixelSeed = transport::mixedBits(sampler.pixelSeed ^ 0x5bd1e995u);
+    const Wavelength chosen = frame_.spectrum->sample(sampler.point().x);
+    path.wavelength = chosen.nm;
+    path.tree.branch.throughput *= chosen.weight;
+    for (std::size_t i = 0; i < std::size(path.tree.pending); ++i)
+        if (path.tree.pendingWeights[i] >= 0.0f) path.tree.pending[i].throughput *= chosen.weight;
+}
+
+transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcept {
+    return frame_.surfaces.medium(number, path.wavelength);
 }
 
 bool PathPool::meetRough(Path& path, const RayHit& hit, const transport::SurfaceHit& surface,
                          const transport::Encounter& met) const noexcept {
+    if (path.chosen.catching) {  // what arrives from there unhindered was counted: not this
+        path.chosen.catching = false;
+        if (hit.surface < 0) {
+            path.chosen.pdf = 0.0f;
+            (void)transport::escape(path.tree);
+            return true;
+        }
+        path.radiance -= frame_.rough->escape(path.tree.branch, path.chosen.pdf);
+    }
     if (frame_.rough->concerns(hit)) {
-        path.radiance +=
-            frame_.rough->meet(path.tree, hit, surface, met, path.sampler, path.roughPdf);
+        path.radiance += frame_.rough->meet(path.tree, hit, surface, met,
+                                            {mediumOf(path, met.from), mediumOf(path, met.to)},
+                                            path.sampler, path.chosen);
         return true;
     }
-    const float pdf = std::exchange(path.roughPdf, 0.0f);
+    const float pdf = std::exchange(path.chosen.pdf, 0.0f);
     if (hit.surface >= 0 || pdf <= 0.0f) return false;
     path.radiance += frame_.rough->escape(path.tree.branch, pdf);
     (void)transport::escape(path.tree);
@@ -120,8 +152,9 @@ bool PathPool::meetRough(Path& path, const RayHit& hit, const transport::Surface
 
 bool PathPool::wantsRay(Path& path) noexcept {
     while (path.tree.alive && transport::spent(path.tree, frame_.settings)) {
-        path.roughPdf = 0.0f;
-        collect(path, transport::cutBranch(path.tree));
+        const bool counted = std::exchange(path.chosen, {}).catching;
+        const transport::Deposits deposits = transport::cutBranch(path.tree);
+        if (!counted) collect(path, deposits);
     }
     return path.tree.alive;
 }
@@ -154,7 +187,8 @@ void PathPool::trace(std::span<const CameraSample> samples, float footprintScale
             path.radiance = glm::vec3(0.0f);
             path.target = sample.target;
             path.tree.rays = 1;
-            path.roughPdf = 0.0f;
+            path.chosen = {};
+            path.wavelength = 0.0f;
             path.sampler = sample.sampler;
             meet(path, first.hit);
             if (wantsRay(path)) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tukor/trace/frame.h"
+#include "tukor/trace/rough_event.h"
 #include "tukor/trace/sampler.h"
 
 namespace tukor::trace {
@@ -55,7 +56,8 @@ private:
         glm::vec3 radiance;
         int target;
         PathSampler sampler;
-        float roughPdf;  // of the branch's direction where RoughEvent chose it, else 0
+        Chosen chosen;     // where RoughEvent chose the branch's direction
+        float wavelength;  // nm; 0 until something disperses the light
     };
     struct FirstHit {
         RayHit hit;
@@ -67,6 +69,9 @@ private:
     [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
                                                  float footprintScale) const noexcept;
     void meet(Path& path, RayHit hit) noexcept;
+    /// Light that meets a surface of something that disperses it goes on as that of one wavelength.
+    void disperse(Path& path, const transport::Encounter& met) const noexcept;
+    [[nodiscard]] transport::Medium mediumOf(const Path& path, int number) const noexcept;
     void collect(Path& path, const transport::Deposits& deposits) const noexcept;
     /// Where a surface is not smooth, or the light of one was sampled; false: it is another's work.
     [[nodiscard]] bool meetRough(Path& path, const RayHit& hit,

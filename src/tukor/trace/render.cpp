@@ -9,6 +9,7 @@
 #include "tukor/trace/layers.h"
 #include "tukor/trace/passes.h"
 #include "tukor/trace/rough_event.h"
+#include "tukor/trace/spectrum.h"
 
 namespace tukor::trace {
 
@@ -38,8 +39,11 @@ PassGoals goalsOf(const RenderOptions& options) {
     return goals;
 }
 
-Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camera& camera,
+Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camera& camera,
                       const RenderOptions& options, const Progress& progress) {
+    std::optional<Scene> grounded;
+    if (options.ground) grounded = withGround(given, *options.ground);
+    const Scene& scene = grounded ? *grounded : given;
     const SurfaceTable surfaces(scene);
     const RayCaster caster(surfaces);
     const bool finished = std::any_of(scene.parts.begin(), scene.parts.end(), [](const Part& part) {
@@ -49,6 +53,8 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camer
     if (finished)
         rough.emplace(scene, surfaces, caster, map,
                       static_cast<float>(options.samples.value_or(32)));
+    std::optional<Spectrum> spectrum;
+    if (surfaces.disperse()) spectrum.emplace();
     const Frame frame{
         .surfaces = surfaces,
         .caster = caster,
@@ -61,6 +67,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camer
         .height = options.height,
         .seed = options.seed,
         .rough = rough ? &*rough : nullptr,
+        .spectrum = spectrum ? &*spectrum : nullptr,
     };
     Passes passes(frame, goalsOf(options), progress);
     passes.run();
@@ -71,7 +78,8 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& scene, const Camer
     if (!frame.background) rendering.radiance.alpha.resize(picture.samples.size());
     double samples = 0.0;
     for (std::size_t i = 0; i < picture.samples.size(); ++i) {
-        rendering.radiance.pixels()[i] = picture.mean(i);
+        // Shadows are subtracted: where they are black noise may be below.
+        rendering.radiance.pixels()[i] = glm::max(picture.mean(i), glm::vec3(0.0f));
         samples += picture.samples[i];
         if (!frame.background && picture.samples[i] > 0) {
             rendering.radiance.alpha[i] =

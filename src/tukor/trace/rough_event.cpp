@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace tukor::trace {
 
 namespace {
 
+constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kWidestSpread = 0.5f;  // radians, as far as differentials mean anything
 constexpr int kSurestDepth = 3;        // events after which paths may end by chance
 constexpr int kMostSheets = 32;        // that a shadow ray passes
@@ -39,6 +41,10 @@ RoughEvent::RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const R
       lamps_(scene.lights),
       expectedSamples_(expectedSamples) {
     if (!finishes_.empty()) lights_ = std::make_unique<LightSampler>(environment);
+    const bool ground = std::any_of(scene.parts.begin(), scene.parts.end(), [](const Part& part) {
+        return part.material.finish && part.material.finish->catcher;
+    });
+    if (ground) skyOnGround_ = irradianceFromAbove(environment);
 }
 
 float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction,
@@ -51,6 +57,13 @@ float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction,
         if (hit.surface < 0 || hit.distance > distance) return left;
         if (!concerns(hit)) break;
         const transport::SurfaceHit surface = surfaces_.at(hit, origin, direction);
+        const bool fromBelow = direction.y >= 0.0f && finishes_.finishOf(hit.surface)->catcher;
+        if (fromBelow) {
+            origin = surface.position;
+            skip = surface.triangle;
+            distance -= hit.distance;
+            continue;
+        }
         left *= finishes_.clearness(hit, surface);
         if (!(left > 0.0f)) break;
         origin = surface.position;
@@ -89,13 +102,58 @@ glm::vec3 RoughEvent::escape(const transport::Branch& branch, float pdf) const n
     return branch.throughput * environment_.radiance(branch.direction, 0.0f) * share;
 }
 
+glm::vec3 RoughEvent::meetGround(transport::Tree& tree, transport::Branch at, PathSampler& sampler,
+                                 Chosen& chosen) const noexcept {
+    if (at.direction.y >= 0.0f || at.media != 0u) {  // it has one side, and is nothing within glass
+        tree.branch = at;
+        return glm::vec3(0.0f);
+    }
+    glm::vec3 E = skyOnGround_;
+    for (const Light& lamp : lamps_) {
+        const LightAt light = lightAt(lamp, at.origin);
+        E += light.E * std::max(light.wi.y, 0.0f);
+    }
+    // What is behind, in full; then what things take of that, and what they send.
+    glm::vec3 seen =
+        environment_.radiance(at.direction, transport::footprintSolidAngle(at.footprint));
+    const glm::vec3 radiance = at.throughput * seen;
+    if (at.depth > 1) seen = glm::min(seen, E / kPi);  // no ground reflects more than it gets
+    const glm::vec3 perE = at.throughput * seen / glm::max(E, glm::vec3(1e-20f));
+    glm::vec3 taken(0.0f);
+    for (const Light& lamp : lamps_) {
+        const LightAt light = lightAt(lamp, at.origin);
+        if (light.wi.y > 0.0f)
+            taken += light.E * (light.wi.y * (1.0f - visible(at, light.wi, light.distance)));
+    }
+    constexpr float kAnyDistance = std::numeric_limits<float>::infinity();
+    const LightDirection light = lights_->sample(sampler.point());
+    if (light.pdf > 0.0f && light.direction.y > 0.0f) {
+        const float hidden = 1.0f - visible(at, light.direction, kAnyDistance);
+        if (hidden > 0.0f)
+            taken += environment_.radiance(light.direction, 0.0f) *
+                     (light.direction.y * hidden * shareOf(light.pdf, light.direction.y / kPi) /
+                      light.pdf);
+    }
+    const glm::vec2 u = sampler.point();
+    const float r = std::sqrt(u.x), phi = 2.0f * kPi * u.y;
+    at.direction = glm::normalize(
+        glm::vec3(r * std::cos(phi), std::sqrt(std::max(1.0f - u.x, 1e-8f)), r * std::sin(phi)));
+    at.throughput = perE * kPi;
+    chosen = {at.direction.y / kPi, true};
+    at.footprint = spreadFootprint(
+        at.direction, std::min(1.0f / std::sqrt(chosen.pdf * expectedSamples_), kWidestSpread));
+    tree.branch = at;
+    if (!(transport::heaviness(at.throughput) > 0.0f)) transport::endBranch(tree);
+    return radiance - perE * taken;
+}
+
 glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
                            const transport::SurfaceHit& surface, const transport::Encounter& met,
-                           PathSampler& sampler, float& pdf) const noexcept {
+                           const Media& media, PathSampler& sampler,
+                           Chosen& chosen) const noexcept {
     transport::Branch at = tree.branch;
     const glm::vec3 d = at.direction;
-    const transport::Medium& from = surfaces_.medium(met.from);
-    const transport::Medium& to = surfaces_.medium(met.to);
+    const auto& [from, to] = media;
     const Finish& finish = *finishes_.finishOf(hit.surface);
     at.throughput *= optics::transmittance(from.sigmaA, hit.distance);
     const transport::Footprint footprint =
@@ -103,6 +161,10 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
     at.origin = surface.position;
     at.skip = surface.triangle;
     at.depth = at.depth + 1;
+    if (finish.catcher) {
+        at.footprint = footprint;
+        return meetGround(tree, at, sampler, chosen);
+    }
     Appearance look = finishes_.at(hit, surface, met.face, d, footprint);
 
     if (look.alpha < 1.0f && transport::nextRandom(tree) >= look.alpha) {  // straight on
@@ -111,7 +173,7 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
         tree.branch = at;
         return glm::vec3(0.0f);
     }
-    pdf = 0.0f;
+    chosen.pdf = 0.0f;
     if (finish.unlit) {
         transport::endBranch(tree);
         return at.throughput * look.baseColor;
@@ -160,7 +222,7 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
         const float spread =
             std::min(1.0f / std::sqrt(sample.pdf * expectedSamples_), kWidestSpread);
         at.footprint = spreadFootprint(at.direction, spread);
-        if (!enclosed) pdf = sample.pdf;
+        if (!enclosed) chosen.pdf = sample.pdf;
     } else if (!sample.through) {
         at.footprint = transport::reflectedFootprint(
             footprint, transport::normalChangeOver(footprint, surface, met.face), met.face, d);

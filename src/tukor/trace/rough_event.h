@@ -2,11 +2,18 @@
 // one direction by chance.
 #pragma once
 #include "tukor/trace/frame.h"
+#include "tukor/trace/ground.h"
 #include "tukor/trace/layered.h"
 #include "tukor/trace/light_sampler.h"
 #include "tukor/trace/sampler.h"
 
 namespace tukor::trace {
+
+/// How a branch came by its direction.
+struct Chosen {
+    float pdf = 0.0f;  // where RoughEvent chose it, and light is to be weighted by that; else 0
+    bool catching = false;  // from ground: light that arrives unhindered is counted already
+};
 
 /// The tracer's part for surfaces that are not ideally smooth. Threads may share it.
 ///
@@ -25,12 +32,18 @@ public:
         return hit.surface >= 0 && finishes_.finishOf(hit.surface) != nullptr;
     }
 
+    /// On both sides of a surface.
+    struct Media {
+        transport::Medium from;
+        transport::Medium to;
+    };
+
     /// The current branch of a tree has met a surface with a finish. Returns the radiance found,
-    /// and sets `pdf` to that of the branch's new direction where escape() is then to be used.
+    /// and sets `chosen` to that of the branch's new direction where escape() is then to be used.
     [[nodiscard]] glm::vec3 meet(transport::Tree& tree, const RayHit& hit,
                                  const transport::SurfaceHit& surface,
-                                 const transport::Encounter& met, PathSampler& sampler,
-                                 float& pdf) const noexcept;
+                                 const transport::Encounter& met, const Media& media,
+                                 PathSampler& sampler, Chosen& chosen) const noexcept;
 
     /// The radiance of a branch that leaves the scene in the direction that meet() sampled with
     /// `pdf`.
@@ -42,6 +55,9 @@ private:
                                 float distance) const noexcept;
     [[nodiscard]] glm::vec3 lamplight(const Layered& layers,
                                       const transport::Branch& at) const noexcept;
+    /// Of ground; `at` lies on it.
+    [[nodiscard]] glm::vec3 meetGround(transport::Tree& tree, transport::Branch at,
+                                       PathSampler& sampler, Chosen& chosen) const noexcept;
     [[nodiscard]] glm::vec3 direct(const Layered& layers, const transport::Branch& at,
                                    glm::vec2 u) const noexcept;
 
@@ -51,6 +67,7 @@ private:
     FinishTable finishes_;
     std::vector<Light> lamps_;
     std::unique_ptr<LightSampler> lights_;  // none where no part has a finish
+    glm::vec3 skyOnGround_{0.0f};           // irradiance of ground that nothing shadows
     float expectedSamples_;
 };
 

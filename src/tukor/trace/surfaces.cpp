@@ -68,6 +68,7 @@ SurfaceTable::SurfaceTable(const std::vector<Surface>& surfaces,
     for (std::size_t i = 0; i < media.size() && i < kMaxMedia; ++i) {
         media_[i + 1].eta = media[i].eta;
         media_[i + 1].sigmaA = media[i].sigmaA;
+        dispersions_[i + 1] = media[i].dispersion;
     }
     std::size_t triangles = 0;
     for (const Surface& surface : surfaces) {
@@ -89,6 +90,10 @@ SurfaceTable::SurfaceTable(const std::vector<Surface>& surfaces,
             bounds_.include(one.most);
         }
     }
+}
+
+bool SurfaceTable::disperse() const noexcept {
+    return std::any_of(dispersions_.begin(), dispersions_.end(), [](float d) { return d > 0.0f; });
 }
 
 glm::vec3 SurfaceTable::centre(int number) const noexcept {

@@ -8,6 +8,7 @@
 
 #include "tukor/geometry/sphere_hit.h"
 #include "tukor/geometry/whole_sphere.h"
+#include "tukor/optics/dispersion.h"
 #include "tukor/scene/media.h"
 #include "tukor/scene/scene.h"
 #include "tukor/transport/path_tree.h"
@@ -63,6 +64,19 @@ public:
     [[nodiscard]] const transport::Medium& medium(int number) const noexcept {
         return media_[static_cast<std::size_t>(number + 1)];
     }
+    /// The same for light of one wavelength in nm; 0: of all.
+    [[nodiscard]] transport::Medium medium(int number, float wavelength) const noexcept {
+        transport::Medium m = medium(number);
+        if (wavelength > 0.0f && disperses(number))
+            m.eta = optics::indexAt(m.eta, dispersions_[static_cast<std::size_t>(number + 1)],
+                                    wavelength);
+        return m;
+    }
+    [[nodiscard]] bool disperses(int number) const noexcept {
+        return dispersions_[static_cast<std::size_t>(number + 1)] > 0.0f;
+    }
+    /// Whether any medium does.
+    [[nodiscard]] bool disperse() const noexcept;
 
     /// The number of the triangle that was hit, among all of the table.
     [[nodiscard]] int number(const RayHit& hit) const noexcept {
@@ -121,6 +135,7 @@ private:
 
     std::vector<Entry> entries_;
     std::array<transport::Medium, kMaxMedia + 1> media_;  // vacuum first
+    std::array<float, kMaxMedia + 1> dispersions_{};      // likewise
     Bounds bounds_;
 };
 
