@@ -14,14 +14,23 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kRead[] = {
-    "KHR_mesh_quantization"sv,      "EXT_meshopt_compression"sv,
-    "KHR_draco_mesh_compression"sv, "KHR_texture_transform"sv,
-    "KHR_materials_anisotropy"sv,   "KHR_materials_clearcoat"sv,
-    "KHR_materials_dispersion"sv,   "KHR_materials_emissive_strength"sv,
-    "KHR_materials_ior"sv,          "KHR_materials_iridescence"sv,
-    "KHR_materials_sheen"sv,        "KHR_materials_specular"sv,
-    "KHR_materials_transmission"sv, "KHR_materials_unlit"sv,
-    "KHR_materials_variants"sv,     "KHR_lights_punctual"sv,
+    "KHR_mesh_quantization"sv,
+    "EXT_mesh_gpu_instancing"sv,
+    "EXT_meshopt_compression"sv,
+    "KHR_draco_mesh_compression"sv,
+    "KHR_texture_transform"sv,
+    "KHR_materials_anisotropy"sv,
+    "KHR_materials_clearcoat"sv,
+    "KHR_materials_dispersion"sv,
+    "KHR_materials_emissive_strength"sv,
+    "KHR_materials_ior"sv,
+    "KHR_materials_iridescence"sv,
+    "KHR_materials_sheen"sv,
+    "KHR_materials_specular"sv,
+    "KHR_materials_transmission"sv,
+    "KHR_materials_unlit"sv,
+    "KHR_materials_variants"sv,
+    "KHR_lights_punctual"sv,
     "KHR_materials_volume"sv,
 };
 

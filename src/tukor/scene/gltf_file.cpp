@@ -87,7 +87,7 @@ public:
         noteFeatures(document_.root(), options_, notes_);
         const GltfPose pose =
             options_.timeSeconds ? poseAt(document_, *options_.timeSeconds) : GltfPose();
-        const GltfPlacements placements = placementsOf(document_, pose, notes_);
+        const GltfPlacements placements = placementsOf(document_, pose);
         variant_ = variantOf(document_, options_.variant);
         checkTotal(document_, placements.meshes);
         for (const GltfPlaced& placed : placements.meshes)

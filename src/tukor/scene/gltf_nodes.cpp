@@ -10,6 +10,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "tukor/scene/gltf_instances.h"
+
 namespace tukor {
 
 namespace {
@@ -70,7 +72,7 @@ std::string nameOf(const GltfDocument& document, const JsonItem& node, const cha
 
 }  // namespace
 
-GltfPlacements placementsOf(const GltfDocument& document, const GltfPose& pose, Notes& notes) {
+GltfPlacements placementsOf(const GltfDocument& document, const GltfPose& pose) {
     constexpr std::size_t kWorld = static_cast<std::size_t>(-1);
     struct Pending {
         std::size_t node;
@@ -128,19 +130,25 @@ GltfPlacements placementsOf(const GltfDocument& document, const GltfPose& pose, 
                 root.fail(fmt::format("more than {} nodes with a {}", kMostPlaced, what));
             return placed.emplace_back(GltfPlaced{index, std::move(name), matrix, next.node});
         };
+        const std::optional<JsonItem> extensions = node.find("extensions");
         if (const std::optional<JsonItem> mesh = node.find("mesh")) {
-            GltfPlaced& placed = place(placements.meshes, "mesh", mesh->count(),
-                                       nameOf(document, node, "meshes", mesh->count()));
-            if (const std::optional<JsonItem> skin = node.find("skin")) placed.skin = skin->count();
-            placed.weights = weightsOf(node, moved);
+            std::vector<glm::dmat4> instances{glm::dmat4(1.0)};
+            if (extensions)
+                if (const auto instancing = extensions->find("EXT_mesh_gpu_instancing"))
+                    instances = instancesOf(document, *instancing, kMostPlaced);
+            const std::string name = nameOf(document, node, "meshes", mesh->count());
+            for (const glm::dmat4& instance : instances) {
+                GltfPlaced& placed = place(placements.meshes, "mesh", mesh->count(), name);
+                placed.worldFromNode = matrix * instance;
+                if (const std::optional<JsonItem> skin = node.find("skin"))
+                    placed.skin = skin->count();
+                placed.weights = weightsOf(node, moved);
+            }
         }
         if (const std::optional<JsonItem> camera = node.find("camera"))
             place(placements.cameras, "camera", camera->count(),
                   nameOf(document, node, "cameras", camera->count()));
-        if (const std::optional<JsonItem> extensions = node.find("extensions")) {
-            if (extensions->find("EXT_mesh_gpu_instancing"))
-                notes.add("instances of EXT_mesh_gpu_instancing are not rendered",
-                          node.textOr("name", ""));
+        if (extensions) {
             if (const std::optional<JsonItem> light = extensions->find("KHR_lights_punctual"))
                 place(placements.lights, "light", light->at("light").count(),
                       node.textOr("name", ""));

@@ -9,7 +9,6 @@
 
 #include "tukor/scene/gltf_animation.h"
 #include "tukor/scene/gltf_document.h"
-#include "tukor/scene/notes.h"
 
 namespace tukor {
 
@@ -33,7 +32,6 @@ struct GltfPlacements {
 /// Walks the default scene; the first one where there is no default, and all root nodes where there
 /// are no scenes. Nodes are moved by `pose`. Throws Error where nodes do not form trees, as when
 /// one is its own ancestor, or place more than 2^18 things.
-[[nodiscard]] GltfPlacements placementsOf(const GltfDocument& document, const GltfPose& pose,
-                                          Notes& notes);
+[[nodiscard]] GltfPlacements placementsOf(const GltfDocument& document, const GltfPose& pose);
 
 }  // namespace tukor

@@ -290,5 +290,22 @@ TEST(Gltf, SaysWhatItDoesNotRender) {
                             "points and lines are not rendered: m"));
 }
 
+// The tetrahedron's corners, as places of four of it.
+TEST(Gltf, DrawsInstances) {
+    const auto nodes = [](const std::string& attributes) {
+        return withNodes(R"({"mesh": 0, "translation": [10, 0, 0], "extensions":
+            {"EXT_mesh_gpu_instancing": {"attributes": {)" +
+                         attributes + "}}}}");
+    };
+    const Scene scene = load(nodes(R"("TRANSLATION": 0)"));
+    ASSERT_EQ(scene.parts.size(), 4u);
+    EXPECT_EQ(boundsOf(scene.parts[0].mesh).least, glm::vec3(10, 0, 0));
+    EXPECT_EQ(boundsOf(scene.parts[1].mesh).least, glm::vec3(11, 0, 0));
+    EXPECT_EQ(boundsOf(scene.parts[3].mesh).least, glm::vec3(10, 0, 1));
+    EXPECT_TRUE(scene.warnings.empty());
+    EXPECT_NE(test::messageOf([&] { (void)load(nodes(R"("TRANSLATION": 1)")); }), "no error");
+    EXPECT_NE(test::messageOf([&] { (void)load(nodes(R"("TRANSLATION": 9)")); }), "no error");
+}
+
 }  // namespace
 }  // namespace tukor
