@@ -16,22 +16,31 @@ class Host {
   #module = null;
   #skyWarnings = [];
   #tail = Promise.resolve();
+  #losses = 0; // of the context, so far
   #pending = Promise.resolve(); // until the frame before is drawn
 
   constructor(port) {
     this.#port = port;
     port.onmessage = ({ data: { id, act, values } }) => {
       this.#tail = this.#tail.then(async () => {
+        const losses = this.#losses;
         try {
           const value = await this[act](values);
           const transfer = value?.buffer instanceof ArrayBuffer ? [value.buffer] : [];
           port.postMessage({ id, value }, transfer);
         } catch (error) {
-          const lost = this.#engine?.gl.isContextLost() ?? false;
+          const lost = await this.#lostSince(losses);
           port.postMessage({ id, error: lost ? "the WebGL context is lost" : error.message, lost });
         }
       });
     };
+  }
+
+  /** Whether an error may come from a lost context. Browsers let calls fail a little before they say that it is lost. */
+  async #lostSince(losses) {
+    const lost = () => this.#losses !== losses || (this.#engine?.gl.isContextLost() ?? false);
+    for (let i = 0; i < 10 && !lost(); i++) await new Promise((resolve) => setTimeout(resolve, 20));
+    return lost();
   }
 
   async start({ canvas, module }) {
@@ -42,6 +51,7 @@ class Host {
     if (!first) return;
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault(); // or it will not come back
+      this.#losses++;
       this.#port.postMessage({ event: "lost" });
     });
     this.canvas.addEventListener("webglcontextrestored", () => this.#port.postMessage({ event: "restored" }));
