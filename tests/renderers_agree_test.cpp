@@ -79,6 +79,7 @@ RenderOptions quick(int maxDepth) {
     options.maxDepth = maxDepth;
     options.background = Background::none;
     options.splitWeight = 0.0f;  // gl follows every branch; so does trace here
+    options.splitGrazing = false;
     options.weightCutoff = 1e-3f;
     return options;
 }

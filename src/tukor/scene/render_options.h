@@ -53,8 +53,11 @@ struct RenderOptions {
     // Of branches lighter than this one child is followed, by chance; 0: always both (trace only).
     // 1/64: with 1/16 the sun in a sphere of water is found too seldom.
     float splitWeight = 0.015625f;
-    std::optional<float> ground;   // height in m of a plane that shows the environment behind it,
-                                   // but for shadows on it and light that things throw (trace only)
+    std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
+                                  // but for shadows on it and light that things throw (trace only)
+    // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones (trace
+    // only): a pixel at the rim of a glass ball shows a wide strip of the environment.
+    bool splitGrazing = true;
     std::vector<AovLayer> layers;  // trace only
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;

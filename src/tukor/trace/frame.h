@@ -41,6 +41,7 @@ struct Frame {
     int width;
     int height;
     std::uint32_t seed;
+    bool splitGrazing = false;           // see RenderOptions
     const RoughEvent* rough = nullptr;   // null: all surfaces are ideally smooth
     const Spectrum* spectrum = nullptr;  // null: nothing disperses light
 };

@@ -17,6 +17,7 @@ struct CameraSample {
     int target;  // index of the sum it counts in
     std::uint32_t seed;
     PathSampler sampler{};
+    float weight = 1.0f;
 };
 
 struct PixelSum {
@@ -54,7 +55,8 @@ private:
     struct Path {
         transport::Tree tree;
         glm::vec3 radiance;
-        int target;
+        std::uint32_t sample;  // of those under way
+        bool grazing;          // its tree was not followed: see splitGrazing
         PathSampler sampler;
         Chosen chosen;     // where RoughEvent chose the branch's direction
         float wavelength;  // nm; 0 until something disperses the light
@@ -64,6 +66,8 @@ private:
         std::uint32_t sample;
     };
 
+    void traceAll(std::span<const CameraSample> samples, float footprintScale,
+                  std::span<PixelSum> sums);
     void castCameraRays(std::span<const CameraSample> samples, float footprintScale,
                         std::span<PixelSum> sums);
     [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
@@ -79,11 +83,17 @@ private:
                                  const transport::Encounter& met) const noexcept;
     /// Runs events that need no ray; false when the path has ended.
     [[nodiscard]] bool wantsRay(Path& path) noexcept;
-    void finish(const Path& path, std::span<PixelSum> sums) noexcept;
+    void finish(const Path& path, std::span<const CameraSample> samples,
+                std::span<PixelSum> sums) noexcept;
+    /// In place of the samples that graze curved surfaces, 16 in the square of each.
+    [[nodiscard]] std::vector<CameraSample> splitGrazing(std::span<const CameraSample> samples,
+                                                         float footprintScale) const;
 
     const Frame& frame_;
     std::vector<Path> paths_;
     std::vector<FirstHit> firstHits_;
+    std::vector<std::uint32_t> grazing_;
+    bool splits_ = false;  // samples that graze
     TraceCounts counts_;
 };
 

@@ -66,6 +66,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
         .width = options.width,
         .height = options.height,
         .seed = options.seed,
+        .splitGrazing = options.splitGrazing,
         .rough = rough ? &*rough : nullptr,
         .spectrum = spectrum ? &*spectrum : nullptr,
     };
