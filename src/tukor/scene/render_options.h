@@ -56,7 +56,8 @@ struct RenderOptions {
     std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
                                   // but for shadows on it and light that things throw (trace only)
     // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones (trace
-    // only): a pixel at the rim of a glass ball shows a wide strip of the environment.
+    // only, and where `samples` alone is given): a pixel at the rim of a glass ball shows a wide
+    // strip of the environment.
     bool splitGrazing = true;
     std::vector<AovLayer> layers;  // trace only
 

@@ -25,12 +25,13 @@ constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
 
 constexpr int kSplit = 4;  // a sample that grazes becomes this many, squared
 
-/// Whether a camera ray meets a curved surface so near its outline that the angle to it changes
-/// over the footprint by a sixteenth of its cosine: the pixel holds more of the environment than
-/// its samples find. Measured at the rim of a glass ball under small lamps: docs/notes/rims.md.
+/// Whether a camera ray meets a curved clear surface so near its outline that the angle to it
+/// changes over the footprint by a sixteenth of its cosine: the pixel holds more of the environment
+/// than its samples find. Measured at the rim of a glass ball under small lamps:
+/// docs/notes/rims.md.
 bool grazes(const transport::Branch& ray, const transport::SurfaceHit& surface,
             const transport::Facing& face) noexcept {
-    if (face.cosThetaI > 0.5f) return false;
+    if (surface.kind != transport::kDielectric || face.cosThetaI > 0.5f) return false;
     const transport::Footprint f =
         transport::footprintAtSurface(ray.footprint, ray.direction, surface.distance, face.ng);
     const transport::NormalChange change = transport::normalChangeOver(f, surface, face);

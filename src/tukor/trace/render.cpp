@@ -55,6 +55,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
                       static_cast<float>(options.samples.value_or(32)));
     std::optional<Spectrum> spectrum;
     if (surfaces.disperse()) spectrum.emplace();
+    const PassGoals goals = goalsOf(options);
     const Frame frame{
         .surfaces = surfaces,
         .caster = caster,
@@ -66,11 +67,11 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
         .width = options.width,
         .height = options.height,
         .seed = options.seed,
-        .splitGrazing = options.splitGrazing,
+        .splitGrazing = options.splitGrazing && !goals.error && !goals.timeSeconds,
         .rough = rough ? &*rough : nullptr,
         .spectrum = spectrum ? &*spectrum : nullptr,
     };
-    Passes passes(frame, goalsOf(options), progress);
+    Passes passes(frame, goals, progress);
     passes.run();
 
     const Accumulation& picture = passes.picture();
