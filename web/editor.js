@@ -1,4 +1,6 @@
 // The editor page: the form steers the element, the element's state is written out as HTML and as a command.
+import { acceptDrops, takeAll } from "./drops.js";
+
 const $ = (id) => document.getElementById(id);
 const view = $("view");
 const materials = new Map(); // part name ("" for all) -> material
@@ -49,26 +51,18 @@ $("material").addEventListener("change", () => {
 });
 $("part").addEventListener("change", () => ($("material").value = materials.get($("part").value) ?? ""));
 $("form").addEventListener("submit", (event) => event.preventDefault());
-$("model-file").addEventListener("change", (event) => take(event.target.files));
-$("environment-file").addEventListener("change", (event) => take(event.target.files));
+$("model-file").addEventListener("change", (event) => takeAll(event.target.files, take));
+$("environment-file").addEventListener("change", (event) => takeAll(event.target.files, take));
+acceptDrops(view, take);
 
-function take(files) {
-  for (const file of files) {
-    if (/\.(hdr|exr|png|jpe?g|ktx2)$/i.test(file.name)) view.loadEnvironmentFile(file);
-    else {
-      materials.clear();
-      view.removeAttribute("material");
-      view.loadModelFile(file).then(listParts);
-    }
+function take(file, kind) {
+  if (kind === "environment") view.loadEnvironmentFile(file).then(write);
+  else {
+    materials.clear();
+    view.removeAttribute("material");
+    view.loadModelFile(file).then(listParts);
   }
 }
-view.addEventListener("dragover", (event) => { event.preventDefault(); view.classList.add("drop"); });
-view.addEventListener("dragleave", () => view.classList.remove("drop"));
-view.addEventListener("drop", (event) => {
-  event.preventDefault();
-  view.classList.remove("drop");
-  take(event.dataTransfer.files);
-});
 
 let pressed = null;
 view.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));

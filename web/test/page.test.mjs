@@ -32,14 +32,28 @@ for (const path of ["/", "/editor.html"])
     await page.context().close();
   });
 
+/** Drops a file of the server's on an element, as a person does. */
+function drop(page, selector, url, name) {
+  return page.evaluate(async ([selector, url, name]) => {
+    const bytes = await (await fetch(url)).arrayBuffer();
+    const data = new DataTransfer();
+    data.items.add(new File([bytes], name));
+    document.querySelector(selector).dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, [selector, url, name]);
+}
+
+test("a picture of the example page takes a dropped model and a dropped environment", async () => {
+  const page = await visit("/");
+  await drop(page, "#gold", "test/solid.glb", "mine.glb");
+  await drop(page, "#gold", "test/light.hdr", "mine.hdr");
+  await page.waitForFunction(() => / mine\.glb .*--environment mine\.hdr/.test(document.querySelector("#gold").command), null, { timeout: 60000 });
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test("the editor takes a dropped environment and writes HTML and command", async () => {
   const page = await visit("/editor.html");
-  await page.evaluate(async () => {
-    const bytes = await (await fetch("test/light.hdr")).arrayBuffer();
-    const data = new DataTransfer();
-    data.items.add(new File([bytes], "dropped.hdr"));
-    document.querySelector("tukor-view").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  });
+  await drop(page, "tukor-view", "test/light.hdr", "dropped.hdr");
   await page.waitForFunction(() => document.querySelector("tukor-view").command.includes("--environment dropped.hdr"));
   await page.selectOption("#part", "water");
   await page.fill("#material", "ice");
