@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Files of `tukor environment convert` in the hands of other programs: OpenImageIO, Blender, Filament's cmgen.
+"""Files of `tukor environment convert` in the hands of other programs: OpenImageIO, Blender, Filament's cmgen,
+three.js.
 
 usage: other_tools_test.py TUKOR
-needs: openimageio-tools, blender, libfilament-tools
+needs: openimageio-tools, blender, libfilament-tools, node and npm (which fetches three)
 """
 import os
 import re
@@ -102,8 +103,27 @@ def test_cmgen(folder):
     close(harmonics(f"{folder}/cross.hdr"), harmonics(f"{folder}/studio.hdr"), 0.01, "mean radiance by cmgen")
 
 
+def test_three(folder):
+    """three.js's loaders read the same pixels."""
+    run("npm", "pack", "--silent", "--pack-destination", folder, "three@0.187.0")
+    run("tar", "-xzf", f"{folder}/three-0.187.0.tgz", "-C", folder)
+    run(TUKOR, "environment", "convert", "sky", "-o", f"{folder}/expected.exr", "--size", "256")
+
+    def write(name, *more):
+        run(TUKOR, "environment", "convert", f"{folder}/expected.exr", "-o", f"{folder}/{name}", *more)
+
+    write("half.exr", "--exr-pixels", "half")
+    write("a.hdr")
+    write("face_{}.exr", "--size", "64")
+    write("half.ktx2", "--size", "64")
+    write("float.ktx2", "--size", "64", "--texels", "float")
+    write("zstd.ktx2", "--size", "64", "--compression", "zstd")
+    print(run("node", f"{os.path.dirname(os.path.abspath(__file__))}/three_loaders.mjs", f"{folder}/package", folder),
+          end="")
+
+
 def main():
-    for test in (test_openimageio, test_blender, test_cmgen):
+    for test in (test_openimageio, test_blender, test_cmgen, test_three):
         with tempfile.TemporaryDirectory() as folder:
             test(folder)
             print(f"{test.__name__}: passed")
