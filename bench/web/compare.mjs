@@ -1,7 +1,9 @@
 #!/usr/bin/env node
 // <tukor-view> beside three, model-viewer, Filament and Babylon.js in headless Chromium (SwiftShader): writes docs/bench-web.md.
 //
-// usage: bench/web/compare.mjs [--only PEER] [--rounds N]     after: tools/web_build.sh
+// usage: bench/web/compare.mjs [--only PEER] [--once] [--rounds N]     after: tools/web_build.sh
+//   --only   one of them, into build/bench-web
+//   --once   times of one sample a pixel, without the multisampling that peers are used with; into build/bench-web
 // needs: tools/install_packages.sh bench web; the peers themselves are fetched into bench/web/node_modules on the first run
 import { execFileSync } from "node:child_process";
 import { existsSync } from "node:fs";
@@ -17,7 +19,7 @@ import { Workshop } from "./workshop.mjs";
 const here = fileURLToPath(new URL(".", import.meta.url));
 const root = join(here, "../..");
 const folder = join(root, "build/bench-web");
-const { only, rounds } = parseArgs({ options: { only: { type: "string" }, rounds: { type: "string", default: "3" } } }).values;
+const { only, once, rounds } = parseArgs({ options: { only: { type: "string" }, once: { type: "boolean", default: false }, rounds: { type: "string", default: "3" } } }).values;
 
 const size = { width: 320, height: 240 };
 const camera = { distance: 4, fov: (40 * Math.PI) / 180 };
@@ -63,7 +65,7 @@ async function prepare() {
 }
 
 async function measure(workshop, peer, round, result) {
-  const options = (shape, material) => ({ model: `/${shape}-${material}.glb`, material, environment: `/light-${peer.turn ?? 0}.hdr`, filtered: ["/ibl.ktx", "/skybox.ktx"], ...size, ...camera, ...peer });
+  const options = (shape, material) => ({ model: `/${shape}-${material}.glb`, material, environment: `/light-${peer.turn ?? 0}.hdr`, filtered: ["/ibl.ktx", "/skybox.ktx"], multisampled: shape === "sphere" || !once, ...size, ...camera, ...peer });
   for (const material of ["gold", "glass"]) {
     const page = await workshop.page(peer.script, options("knot", material));
     (result[`first ${material}`] ??= []).push(await page.first());
@@ -103,4 +105,4 @@ try {
   await workshop.close();
 }
 for (const result of results) for (const [key, value] of Object.entries(result)) if (Array.isArray(value)) result[key] = median(value);
-await write(only ? join(folder, "bench-web.md") : join(root, "docs/bench-web.md"), results, { ...size, rounds, cmgen, browser: workshop.version });
+await write(only || once ? join(folder, "bench-web.md") : join(root, "docs/bench-web.md"), results, { ...size, rounds, cmgen, once, browser: workshop.version });

@@ -1,5 +1,5 @@
-// Babylon.js: its glTF loader and HDRCubeTexture on a skybox, four samples a pixel. The light is not filtered: smooth surfaces do not need it, and on
-// SwiftShader it takes minutes.
+// Babylon.js: its glTF loader and HDRCubeTexture on a skybox. The light is not filtered: smooth surfaces do not need it, and on
+// SwiftShader it takes most of a minute.
 import { Engine } from "@babylonjs/core/Engines/engine.js";
 import { Scene } from "@babylonjs/core/scene.js";
 import { ArcRotateCamera } from "@babylonjs/core/Cameras/arcRotateCamera.js";
@@ -14,8 +14,8 @@ import "@babylonjs/loaders/glTF/2.0/Extensions/KHR_materials_ior.js";
 import "@babylonjs/loaders/glTF/2.0/Extensions/KHR_materials_volume.js";
 import { canvasIn, finished, run } from "../page.js";
 
-run(async (host, { model, environment, width, height, fov, distance }) => {
-  const engine = new Engine(canvasIn(host, { width, height }), true);
+run(async (host, { model, environment, width, height, fov, distance, multisampled }) => {
+  const engine = new Engine(canvasIn(host, { width, height }), multisampled);
   const scene = new Scene(engine);
   scene.useRightHandedSystem = true;
   scene.imageProcessingConfiguration.toneMappingEnabled = false;

@@ -1,7 +1,7 @@
-// Filament: cmgen's cube maps, since it reads no .hdr in the browser; gltfio's materials, four samples a pixel.
+// Filament: cmgen's cube maps, since it reads no .hdr in the browser; gltfio's materials.
 import { canvasIn, fetched, finished, run } from "../page.js";
 
-run(async (host, { model, filtered, width, height, fov, distance }) => {
+run(async (host, { model, filtered, width, height, fov, distance, multisampled }) => {
   await new Promise((resolve) => Filament.init([], resolve));
   const canvas = canvasIn(host, { width, height });
   const engine = Filament.Engine.create(canvas);
@@ -16,7 +16,7 @@ run(async (host, { model, filtered, width, height, fov, distance }) => {
   view.setCamera(camera);
   view.setScene(scene);
   view.setViewport([0, 0, width, height]);
-  view.setMultiSampleAntiAliasingOptions({ enabled: true, sampleCount: 4 });
+  view.setMultiSampleAntiAliasingOptions({ enabled: multisampled, sampleCount: 4 });
   view.setAntiAliasing(Filament.View$AntiAliasing.NONE); // FXAA would blur it
   view.setColorGrading(Filament.ColorGrading.Builder().toneMapping(Filament.ColorGrading$ToneMapping.LINEAR).build(engine));
   const take = ([reflections, sky]) => {

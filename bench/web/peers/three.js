@@ -1,11 +1,11 @@
-// three.js as its examples use it: GLTFLoader, HDRLoader, PMREM made by the renderer, four samples a pixel.
+// three.js as its examples use it: GLTFLoader, HDRLoader, PMREM made by the renderer.
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { HDRLoader } from "three/addons/loaders/HDRLoader.js";
 import { canvasIn, finished, run } from "../page.js";
 
-run(async (host, { model, environment, width, height, fov, distance }) => {
-  const renderer = new THREE.WebGLRenderer({ canvas: canvasIn(host, { width, height }), antialias: true });
+run(async (host, { model, environment, width, height, fov, distance, multisampled }) => {
+  const renderer = new THREE.WebGLRenderer({ canvas: canvasIn(host, { width, height }), antialias: multisampled });
   renderer.toneMapping = THREE.NoToneMapping;
   const scene = new THREE.Scene();
   const camera = new THREE.PerspectiveCamera((fov * 180) / Math.PI, width / height, 0.1, 100);
