@@ -56,7 +56,7 @@ export async function write(path, results, { width, height, rounds, cmgen, once,
   const late = behind(results);
   await writeFile(path, `# Beside other viewers in the browser
 
-\`bench/web/compare.mjs --rounds ${rounds}\`: ${browser}, headless, WebGL by SwiftShader on 2 cores without a GPU, ${width}x${height}. Medians; less is better, the best of a column is bold.
+\`bench/web/compare.mjs --rounds ${rounds}${once ? " --once" : ""}\`: ${browser}, headless, WebGL by SwiftShader on 2 cores without a GPU, ${width}x${height}. Medians; less is better, the best of a column is bold.
 
 | | ${COLUMNS.map(([, title]) => title).join(" | ")} |
 |---|${"---|".repeat(COLUMNS.length)}
