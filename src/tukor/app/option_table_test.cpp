@@ -60,7 +60,7 @@ TEST(JsonFromOptions, HoldsEveryOptionInItsOwnType) {
     EXPECT_EQ(json["eye"], (std::vector<double>{-1, 0, 4}));
     EXPECT_EQ(json["renderer"], "gl");
     EXPECT_EQ(json["size"], "640x360");
-    EXPECT_EQ(json["weight-cutoff"], 0.001);
+    EXPECT_EQ(json["weight-cutoff"], 0.0001);
     EXPECT_TRUE(json["samples"].is_null());
     for (const OptionRow& row : optionRows({})) EXPECT_TRUE(json.contains(row.name)) << row.name;
 }

@@ -88,7 +88,7 @@ struct QualityOptions {
     std::vector<AovLayer> layers;
     int seed = 0;
     int rayBudget = 128;
-    float weightCutoff = 1e-3f;
+    float weightCutoff = RenderOptions{}.weightCutoff;
     int maxDepth = 64;
     std::optional<int> threads;
 

@@ -40,7 +40,8 @@ RenderOptions Pace::whileMoving(const RenderOptions& rest) const noexcept {
     moving.height = std::max(1, static_cast<int>(std::lround(size * rest.height)));
     moving.rayBudget = std::min(rest.rayBudget, static_cast<int>(std::lround(rays)));
     // 1e-2 with 8 rays, 1e-3 with 80: lighter branches are not worth what they take from others.
-    moving.weightCutoff = std::max(rest.weightCutoff, 0.08f / static_cast<float>(rays));
+    if (moving.rayBudget < rest.rayBudget)
+        moving.weightCutoff = std::max(rest.weightCutoff, 0.08f / static_cast<float>(rays));
     return moving;
 }
 

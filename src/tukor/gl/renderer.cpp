@@ -227,6 +227,8 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, glm::vec2 po
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
     // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
     constexpr float kFootprint = 0.7f;
+    // From there on a sample is small enough for few to graze: see docs/notes/rims.md.
+    constexpr float kSplitFrom = 64.0f;
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
     constexpr TracedDrawer::Units kUnits{7, 9, 10};  // after the environment and the scene
     bindTexture(kUnits.sum, buffers_.sum());
@@ -239,7 +241,8 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, glm::vec2 po
     traced_.draw(tracedScene_, environment_,
                  {view, subject.window, picture, look.fidelity, look.fresnel,
                   environmentFromWorld(picture.environmentRotation),
-                  kFootprint / std::sqrt(samples), frames_, lights_, unitsPerRadiance(subject)},
+                  kFootprint / std::sqrt(samples), picture.splitGrazing && samples >= kSplitFrom,
+                  frames_, lights_, unitsPerRadiance(subject)},
                  count ? Counting::all : Counting::none, kUnits,
                  {look.left, 0, look.right - look.left, subject.window.height});
 }

@@ -70,6 +70,7 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     program.set("first", frame.number == 0 ? 1 : 0);
     program.set("frame", static_cast<std::uint32_t>(frame.number));
     program.set("centred", scene.finished() || options.samples.value_or(0) == 1 ? 1 : 0);
+    program.set("splitGrazing", frame.splitGrazing ? 1 : 0);
     program.set("pictureSeed", options.seed);
     const PictureWindow& window = frame.window;
     program.set("topLeft",

@@ -24,6 +24,7 @@ public:
         FresnelForm fresnel;
         glm::mat3 environmentFromWorld;
         float footprintScale;  // distance of neighbouring samples, in pixels
+        bool splitGrazing;     // see transport/grazing.h
         int number;            // 0: the first of the sum
         const std::vector<Light>& lights;
         float emissionFactor;  // from radiance to units of the frame

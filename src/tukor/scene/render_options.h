@@ -48,16 +48,16 @@ struct RenderOptions {
     int rayBudget = 128;                // rays a camera ray may spend at `exact`
     // Branches lighter than this become one look-up; where trace splits by splitWeight, 1e-5 at
     // most.
-    float weightCutoff = 1e-3f;
+    float weightCutoff = 1e-4f;
     int maxDepth = 64;  // events along one branch
     // Of branches lighter than this one child is followed, by chance; 0: always both (trace only).
     // 1/64: with 1/16 the sun in a sphere of water is found too seldom.
     float splitWeight = 0.015625f;
     std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
                                   // but for shadows on it and light that things throw (trace only)
-    // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones (trace
-    // only, and where `samples` alone is given): a pixel at the rim of a glass ball shows a wide
-    // strip of the environment.
+    // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones: a pixel
+    // at the rim of a glass ball shows a wide strip of the environment. trace: where `samples`
+    // alone is given; gl: from 64 samples on.
     bool splitGrazing = true;
     std::vector<AovLayer> layers;  // trace only
 

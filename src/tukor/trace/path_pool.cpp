@@ -10,6 +10,7 @@
 #include "tukor/trace/rough_event.h"
 #include "tukor/trace/rounding.h"
 #include "tukor/trace/spectrum.h"
+#include "tukor/transport/grazing.h"
 #include "tukor/transport/look_ups.h"
 #include "tukor/transport/sampler.h"
 
@@ -22,22 +23,6 @@ namespace {
 constexpr std::size_t kPaths = 64;
 
 constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
-
-constexpr int kSplit = 4;  // a sample that grazes becomes this many, squared
-
-/// Whether a camera ray meets a curved clear surface so near its outline that the angle to it
-/// changes over the footprint by a sixteenth of its cosine: the pixel holds more of the environment
-/// than its samples find. Measured at the rim of a glass ball under small lamps:
-/// docs/notes/rims.md.
-bool grazes(const transport::Branch& ray, const transport::SurfaceHit& surface,
-            const transport::Facing& face) noexcept {
-    if (surface.kind != transport::kDielectric || face.cosThetaI > 0.5f) return false;
-    const transport::Footprint f =
-        transport::footprintAtSurface(ray.footprint, ray.direction, surface.distance, face.ng);
-    const transport::NormalChange change = transport::normalChangeOver(f, surface, face);
-    return std::abs(dot(ray.direction, change.x)) + std::abs(dot(ray.direction, change.y)) >
-           face.cosThetaI / 16.0f;
-}
 
 }  // namespace
 
@@ -117,7 +102,7 @@ void PathPool::meet(Path& path, RayHit hit) noexcept {
         }
     }
     path.grazing = splits_ && ray.skip < 0 && ray.depth == 0 && hit.surface >= 0 &&
-                   grazes(ray, surface, met.face);
+                   transport::grazes(ray.footprint, ray.direction, surface, met.face);
     if (path.grazing) {
         path.tree.alive = false;
         return;
@@ -203,17 +188,17 @@ void PathPool::finish(const Path& path, std::span<const CameraSample> samples,
 std::vector<CameraSample> PathPool::splitGrazing(std::span<const CameraSample> samples,
                                                  float footprintScale) const {
     std::vector<CameraSample> finer;
-    finer.reserve(grazing_.size() * kSplit * kSplit);
+    finer.reserve(grazing_.size() * transport::kFinerSamples);
     for (const std::uint32_t number : grazing_) {
         const CameraSample& sample = samples[number];
-        for (std::uint32_t i = 0; i < kSplit * kSplit; ++i) {
-            const glm::vec2 place = transport::pixelSample(sample.seed, i) - 0.5f;
+        for (std::uint32_t i = 0; i < transport::kFinerSamples; ++i) {
+            const glm::vec2 place = transport::finerSample(sample.seed, i);
             CameraSample& one = finer.emplace_back(sample);
             one.x += footprintScale * place.x;
             one.y += footprintScale * place.y;
             one.seed = transport::sampleSeed(sample.seed, i);
             one.sampler = {one.seed, 0};
-            one.weight = sample.weight / static_cast<float>(kSplit * kSplit);
+            one.weight = sample.weight / static_cast<float>(transport::kFinerSamples);
         }
     }
     return finer;
@@ -227,7 +212,7 @@ void PathPool::trace(std::span<const CameraSample> samples, float footprintScale
     const std::vector<CameraSample> finer = splitGrazing(samples, footprintScale);
     grazing_.clear();
     splits_ = false;
-    traceAll(finer, footprintScale / static_cast<float>(kSplit), sums);
+    traceAll(finer, footprintScale * transport::kFinerWidth, sums);
 }
 
 void PathPool::traceAll(std::span<const CameraSample> samples, float footprintScale,

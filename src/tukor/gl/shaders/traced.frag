@@ -7,6 +7,7 @@
 #include "tukor/gl/shaders/environment.glsl"
 #include "tukor/geometry/bvh_traversal.h"
 #include "tukor/geometry/sphere_hit.h"
+#include "tukor/transport/grazing.h"
 #include "tukor/transport/look_ups.h"
 #include "tukor/transport/path_tree.h"
 #include "tukor/transport/rounding.h"
@@ -36,6 +37,7 @@ uniform int maxDepth;
 uniform int mostLookUps;  // that one deposit is worth
 uniform float weightCutoff;
 uniform uint frame;
+uniform bool splitGrazing;  // see grazing.h
 uniform bool centred;      // the one sample of a pixel is its centre
 uniform uint pictureSeed;
 uniform ivec2 topLeft;     // of the window's pixels in the picture
@@ -139,6 +141,20 @@ vec3 radianceOf(Deposit deposit) {
     return deposit.throughput * sum / float(l.across * l.down);
 }
 
+// Through the point of the pixel that is `jitter` from its top-left corner; `width` is the distance of neighbouring samples.
+Branch cameraRay(ivec2 pixel, vec2 jitter, float width) {
+    vec3 d = rayCorner + (float(pixel.x) + jitter.x) * rayPerColumn + (float(pixel.y) + 1.0 - jitter.y) * rayPerRow;
+    Branch ray;
+    ray.origin = eye;
+    ray.direction = normalize(d);
+    ray.throughput = vec3(1.0);
+    ray.footprint = cameraFootprint(d, width * rayPerColumn, width * rayPerRow);
+    ray.media = eyeMedia;
+    ray.skip = -1;
+    ray.depth = 0;
+    return ray;
+}
+
 void main() {
     TransportSettings settings;
     settings.fidelity = FIDELITY;
@@ -152,25 +168,29 @@ void main() {
     ivec2 place = topLeft + ivec2(pixel.x, windowSize.y - 1 - pixel.y);
     uint seed = pixelSeed(uint(place.y * pictureWidth + place.x), pictureSeed);
     vec2 jitter = centred ? vec2(0.5) : pixelSample(seed, frame);
-    vec3 d = rayCorner + (float(pixel.x) + jitter.x) * rayPerColumn + (float(pixel.y) + 1.0 - jitter.y) * rayPerRow;
-    Branch ray;
-    ray.origin = eye;
-    ray.direction = normalize(d);
-    ray.throughput = vec3(1.0);
-    ray.footprint = cameraFootprint(d, footprintScale * rayPerColumn, footprintScale * rayPerRow);
-    ray.media = eyeMedia;
-    ray.skip = -1;
-    ray.depth = 0;
+    seed = sampleSeed(seed, frame);
 
-    Tree tree = startTree(ray, sampleSeed(seed, frame));
+    Tree tree = startTree(cameraRay(pixel, jitter, footprintScale), seed);
+    int finer = 0;  // samples of the kFinerSamples that take the place of this one, if it grazes
+    float weight = 1.0;
     Rounding rounding = exactSoFar();
     vec4 radiance = vec4(0.0, 0.0, 0.0, 1.0);
+    vec4 happened = vec4(0.0);
     bool direct = true;  // the camera sees it, through nothing but what was drawn before
 #ifdef FINISHES
     vec4 drawn = eyeMedia == 0u ? texelFetch(raster, pixel, 0) : vec4(0.0);
     if (drawn.a >= 1.0) tree.alive = false;
 #endif
-    while (tree.alive) {
+    while (true) {
+        if (!tree.alive) {
+            happened += vec4(float(tree.rays), float(tree.leaks), float(tree.inconsistencies), float(tree.truncated));
+            if (weight == 1.0 || finer == kFinerSamples) break;
+            tree = startTree(cameraRay(pixel, jitter + footprintScale * finerSample(seed, uint(finer)), kFinerWidth * footprintScale),
+                             sampleSeed(seed, uint(finer)));
+            finer++;
+            rounding = exactSoFar();
+            direct = true;
+        }
         Deposits deposits = noDeposits();
         if (spent(tree, settings)) {
             deposits = cutBranch(tree);
@@ -205,27 +225,32 @@ void main() {
                 at.skip = hit.triangle;
                 FinishLook look = finishLook(kind, part, found, hit, met, at);
                 if (direct && eyeMedia == 0u && (kind & (kMasked | kBlended)) != 0u) look.alpha = 0.0;
-                radiance.rgb += at.throughput * look.alpha * look.L;
+                radiance.rgb += weight * at.throughput * look.alpha * look.L;
                 at.throughput *= 1.0 - look.alpha;
                 tree.branch = at;
                 if (heaviness(at.throughput) <= settings.weightCutoff) endBranch(tree);
                 continue;
             }
 #endif
+            bool again = splitGrazing && weight == 1.0 && any && tree.branch.depth == 0 && tree.branch.skip < 0 &&
+                         grazes(tree.branch.footprint, tree.branch.direction, hit, met.face);
             direct = direct && !any;
-            if (any) {
+            if (again) {
+                endBranch(tree);
+                weight = 1.0 / float(kFinerSamples);
+            } else if (any) {
                 deposits = scatter(tree, hit, met, mediumAt(met.from), mediumAt(met.to), settings);
             } else {
                 bool nothing = tree.branch.depth == 0 && direct && !background;
                 deposits = escape(tree);
                 if (nothing) {
-                    radiance.a = 0.0;
+                    radiance.a -= weight;
                     deposits.count = 0;
                 }
             }
         }
-        if (deposits.count > 0) radiance.rgb += radianceOf(deposits.first);
-        if (deposits.count > 1) radiance.rgb += radianceOf(deposits.second);
+        if (deposits.count > 0) radiance.rgb += weight * radianceOf(deposits.first);
+        if (deposits.count > 1) radiance.rgb += weight * radianceOf(deposits.second);
     }
 
 #ifdef FINISHES
@@ -233,7 +258,6 @@ void main() {
 #endif
     fragmentColor = first ? radiance : texelFetch(sum, pixel, 0) + radiance;
 #if COUNTING == 1
-    vec4 happened = vec4(float(tree.rays), float(tree.leaks), float(tree.inconsistencies), float(tree.truncated));
     counts = first ? happened : texelFetch(counted, pixel, 0) + happened;
 #endif
 }
