@@ -51,8 +51,8 @@ struct RenderOptions {
     float weightCutoff = 1e-4f;
     int maxDepth = 64;  // events along one branch
     // Of branches lighter than this one child is followed, by chance; 0: always both (trace only).
-    // 1/64: with 1/16 the sun in a sphere of water is found too seldom.
-    float splitWeight = 0.015625f;
+    // 1/128: docs/notes/adaptive-sampling.md.
+    float splitWeight = 0.0078125f;
     std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
                                   // but for shadows on it and light that things throw (trace only)
     // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones: a pixel
