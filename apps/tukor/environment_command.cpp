@@ -178,6 +178,7 @@ PictureForm formOf(const TargetArguments& to, PictureForm otherwise) {
 int convert(const SourceArguments& from, const TargetArguments& to, const DevelopOptions& develop) {
     const PictureForm form = formOf(to, PictureForm::equirect);
     checkWorkTarget(to.out, form);
+    requireWritable(to.out);
     WorkSource source = readSource(from);
     turn(source, -turnFrom(to.to));
     saveWork(to.out, source, form, to.size, saveOptions(develop), {to.texels, to.compression});
@@ -193,6 +194,7 @@ int filter(const SourceArguments& from, const TargetArguments& to, const FilterA
         return 0;
     }
     if (from.in.empty()) throw Error("IN is missing: the environment to filter");
+    requireWritable(to.out);
     const std::string extension = lowerExtension(to.out);
     if (arguments.kind == FilterKind::sh) {
         if (extension != ".json" && extension != ".h")

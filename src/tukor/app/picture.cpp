@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "tukor/app/option_table.h"
 #include "tukor/app/version.h"
@@ -23,19 +20,6 @@
 
 namespace tukor {
 namespace {
-
-/// Makes a file there and removes it: permissions alone do not tell.
-void requireWritableFolder(const std::filesystem::path& folder, const std::filesystem::path& out) {
-    std::string probe = (folder / ".tukor-XXXXXX").string();
-    const int file = mkstemp(probe.data());
-    if (file < 0) {
-        const int reason = errno;
-        throw Error(fmt::format("{}: cannot write into {}: {}", out.string(), folder.string(),
-                                std::strerror(reason)));
-    }
-    close(file);
-    unlink(probe.c_str());
-}
 
 /// The first option that gl does not know what to do with; empty when there is none.
 std::string_view onlyForTrace(const QualityOptions& quality) {
@@ -53,21 +37,11 @@ Renderer rendererFor(const SessionOptions& options) noexcept {
 }
 
 void requireWritablePicture(const std::filesystem::path& out, const SessionOptions& options) {
-    namespace fs = std::filesystem;
     checkSavable(out);
     if (!options.quality.layers.empty() && lowerExtension(out) != ".exr") {
         throw Error(fmt::format("{}: only .exr holds the layers of --aov", out.string()));
     }
-    std::error_code ignored;
-    if (fs::is_directory(out, ignored)) {
-        throw Error(fmt::format("{}: is a folder; a file name expected", out.string()));
-    }
-    if (fs::exists(out, ignored) && !fs::is_regular_file(out, ignored)) return;  // a device
-    const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, ignored)) {
-        throw Error(fmt::format("{}: there is no folder {}", out.string(), folder.string()));
-    }
-    requireWritableFolder(folder, out);
+    requireWritable(out);
 }
 
 std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {

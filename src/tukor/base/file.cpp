@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -103,6 +104,26 @@ void writeFile(const fs::path& path, std::span<const std::byte> bytes) {
     if (inPlace) return;
     fs::rename(partial, target, error);
     if (error) fail(error.value());
+}
+
+void requireWritable(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        throw Error(fmt::format("{}: is a folder; a file name expected", path.string()));
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return;  // a device
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+        throw Error(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+    // Permissions alone do not tell: make a file there and remove it.
+    std::string probe = (folder / ".tukor-XXXXXX").string();
+    const int file = ::mkstemp(probe.data());
+    if (file < 0) {
+        const int reason = errno;
+        throw Error(fmt::format("{}: cannot write into {}: {}", path.string(), folder.string(),
+                                std::strerror(reason)));
+    }
+    ::close(file);
+    ::unlink(probe.c_str());
 }
 
 void writeFile(const fs::path& path, std::string_view text) {

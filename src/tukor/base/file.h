@@ -47,6 +47,10 @@ private:
 void writeFile(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& path, std::string_view text);
 
+/// Before time is spent on what is to be written there. Throws Error when `path` is a folder, or
+/// the folder that it names is missing or not writable; a file there is left as it is.
+void requireWritable(const std::filesystem::path& path);
+
 /// The extension in lower case with its dot, `.exr`; empty when there is none.
 [[nodiscard]] std::string lowerExtension(const std::filesystem::path& path);
 

@@ -86,6 +86,15 @@ TEST_F(FileTest, NamesWhatCannotBeWritten) {
     EXPECT_EQ(entries(), 0);
 }
 
+TEST_F(FileTest, KnowsBeforehandWhatCannotBeWritten) {
+    EXPECT_THAT([&] { requireWritable(in("no/where")); },
+                ThrowsMessage<Error>(HasSubstr("where: there is no folder")));
+    EXPECT_THAT([&] { requireWritable(in(".")); }, ThrowsMessage<Error>(HasSubstr("is a folder")));
+    requireWritable(in("new"));
+    requireWritable("/dev/null");
+    EXPECT_EQ(entries(), 0);
+}
+
 TEST_F(FileTest, FollowsLinksAndWritesDevicesInPlace) {
     writeFile(in("target"), "old");
     fs::create_symlink(in("target"), in("link"));

@@ -146,7 +146,11 @@ void checkWorkTarget(const std::string& path, PictureForm form) {
     if (form == PictureForm::faces && !pattern)
         throw Error(fmt::format(
             "{}: six faces need a pattern with {{}} for the face, as sky_{{}}.exr", path));
-    checkSavable(path);
+    try {
+        checkSavable(path);
+    } catch (const Error& error) {
+        throw Error(fmt::format("{}, and for cube maps .dds .ktx .ktx2", error.what()));
+    }
 }
 
 void saveLevels(const std::string& path, std::span<const CubeMap> levels,
