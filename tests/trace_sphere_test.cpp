@@ -54,7 +54,7 @@ double errorOf(const std::string& material, const std::string& photograph) {
 class TraceSphere : public testing::TestWithParam<std::string> {
 protected:
     void SetUp() override {
-        if (!std::filesystem::exists(kPhotographs)) GTEST_SKIP() << "needs Debian's blender-data";
+        ASSERT_TRUE(std::filesystem::exists(kPhotographs)) << "needs Debian's blender-data";
     }
 };
 
