@@ -105,7 +105,7 @@ const CLI::App& parsedCommand(const CLI::App& program) {
 std::string commandName(const CLI::App& command) {
     std::string name = command.get_name();
     for (const CLI::App* parent = command.get_parent(); parent; parent = parent->get_parent()) {
-        name = parent->get_name() + " " + name;
+        name = fmt::format("{} {}", parent->get_name(), name);
     }
     return name;
 }

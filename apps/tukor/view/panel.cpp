@@ -21,8 +21,8 @@ std::optional<std::string> choose(const char* label, const std::string& current,
     std::optional<std::string> chosen;
     if (!ImGui::BeginCombo(label, current.c_str())) return chosen;
     for (const auto& candidate : names) {
-        const std::string name(candidate);
-        if (ImGui::Selectable(name.c_str(), name == current)) chosen = name;
+        std::string name(candidate);
+        if (ImGui::Selectable(name.c_str(), name == current)) chosen = std::move(name);
     }
     ImGui::EndCombo();
     return chosen;

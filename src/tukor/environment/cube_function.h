@@ -7,6 +7,7 @@
 
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_map.h"
+#include "tukor/environment/grid_point.h"
 
 namespace tukor {
 
@@ -81,12 +82,10 @@ template <class RadianceIn>
                         continue;
                     }
                     glm::vec3 sum(0.0f);
-                    for (int i = 0; i < kSamples * kSamples; ++i)
-                        sum += radiance(
-                            direction(static_cast<float>(column) +
-                                          (static_cast<float>(i % kSamples) + 0.5f) / kSamples,
-                                      static_cast<float>(row) +
-                                          (static_cast<float>(i / kSamples) + 0.5f) / kSamples));
+                    for (int i = 0; i < kSamples * kSamples; ++i) {
+                        const glm::vec2 at = glm::vec2(column, row) + gridPoint(i, kSamples);
+                        sum += radiance(direction(at.x, at.y));
+                    }
                     *texel++ = sum / static_cast<float>(kSamples * kSamples);
                 }
             }

@@ -33,6 +33,7 @@ constexpr int kLargestOwnChoice = 2048;  // 300 MB of texels; more has to be ask
 
 std::vector<std::string_view> builtInEnvironmentNames() {
     std::vector<std::string_view> names;
+    names.reserve(std::size(kBuiltIns));
     for (const BuiltIn& builtIn : kBuiltIns) names.push_back(builtIn.name);
     return names;
 }

@@ -274,8 +274,10 @@ void fillPoles(const Rows& rows, const std::vector<Sectors>& sectors, double pix
 
 CubeMap areaCubeFromEquirect(const Image& panorama, int faceSize) {
     const Rows rows(panorama);
+    const int quarters = panorama.width() % 4 == 0 ? 1 : 4;
     std::vector<Sectors> sectors;
-    for (int quarter = 0; quarter < (panorama.width() % 4 == 0 ? 1 : 4); ++quarter)
+    sectors.reserve(static_cast<std::size_t>(quarters));
+    for (int quarter = 0; quarter < quarters; ++quarter)
         sectors.emplace_back(panorama.width(), quarter);
     CubeMap cube(faceSize);
     fillSides(rows, sectors, cube);

@@ -8,6 +8,7 @@
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_function.h"
 #include "tukor/environment/equirect.h"
+#include "tukor/environment/grid_point.h"
 
 namespace tukor {
 
@@ -23,12 +24,11 @@ Image pictureOf(int width, int height, const Radiance& radiance) {
         for (int row = begin; row < end; ++row)
             for (int column = 0; column < width; ++column) {
                 glm::vec3 sum(0.0f);
-                for (int i = 0; i < 9; ++i)
-                    sum += radiance(
-                        (static_cast<float>(column) + (static_cast<float>(i % 3) + 0.5f) / 3) /
-                            static_cast<float>(width),
-                        (static_cast<float>(row) + (static_cast<float>(i / 3) + 0.5f) / 3) /
-                            static_cast<float>(height));
+                for (int i = 0; i < 9; ++i) {
+                    const glm::vec2 at =
+                        (glm::vec2(column, row) + gridPoint(i, 3)) / glm::vec2(width, height);
+                    sum += radiance(at.x, at.y);
+                }
                 image.at(column, row) = sum / 9.0f;
             }
     });

@@ -5,6 +5,7 @@
 
 #include "tukor/environment/cube_function.h"
 #include "tukor/environment/cube_texel.h"
+#include "tukor/environment/grid_point.h"
 #include "tukor/environment/procedural.h"
 
 namespace tukor {
@@ -122,15 +123,9 @@ void addDisc(CubeMap& cube, glm::vec3 direction, float angularRadius, glm::vec3 
                 if (glm::dot(middle, centre) < reach * glm::length(middle)) continue;
                 double inside = 0.0, all = 0.0;
                 for (int i = 0; i < kSamples * kSamples; ++i) {
-                    const float s = (static_cast<float>(column) +
-                                     (static_cast<float>(i % kSamples) + 0.5f) / kSamples) *
-                                        step -
-                                    1.0f;
-                    const float t = (static_cast<float>(row) +
-                                     (static_cast<float>(i / kSamples) + 0.5f) / kSamples) *
-                                        step -
-                                    1.0f;
-                    const glm::vec3 sample = directionFromCube({face, s, t});
+                    const glm::vec2 at =
+                        (glm::vec2(column, row) + gridPoint(i, kSamples)) * step - 1.0f;
+                    const glm::vec3 sample = directionFromCube({face, at.x, at.y});
                     const double length = glm::length(sample);
                     const double weight = 1.0 / (length * length * length);
                     all += weight;
@@ -172,7 +167,8 @@ CubeMap skyCube(int faceSize, const SkyOptions& options) {
     glm::vec3 skylight(0.0f);
     for (int i = 0; i < 512; ++i) {
         const float azimuth = 2.0f * kPi * (static_cast<float>(i % 32) + 0.5f) / 32.0f;
-        const float radius2 = (static_cast<float>(i / 32) + 0.5f) / 16.0f;
+        const int ring = i / 32;
+        const float radius2 = (static_cast<float>(ring) + 0.5f) / 16.0f;
         const float radius = std::sqrt(radius2);
         skylight += kPi / 512.0f *
                     sky({radius * std::sin(azimuth), std::sqrt(1.0f - radius2),

@@ -171,12 +171,13 @@ std::vector<LatitudeNode> latitudeNodes(int height, int degree, int paddedPairs)
     for (std::size_t index = 0; index < nodes.size(); ++index) {
         LatitudeNode& node = nodes[index];
         const auto point = index % static_cast<std::size_t>(points);
-        const auto part = static_cast<double>(index / static_cast<std::size_t>(points));
+        const std::size_t part = index / static_cast<std::size_t>(points);
         const auto rule = static_cast<std::size_t>(points - 1);
         for (int pair = 0; pair < paddedPairs; ++pair) {
             const int row = std::min(pair, (height - 1) / 2);
             const double theta =
-                kPi * (row + (part + 0.5 + kOffsets[rule][point]) / parts) / height;
+                kPi * (row + (static_cast<double>(part) + 0.5 + kOffsets[rule][point]) / parts) /
+                height;
             double weight = points == 1
                                 ? std::cos(kPi * row / height) - std::cos(kPi * (row + 1) / height)
                                 : kWeights[rule][point] * kPi / (height * parts) * std::sin(theta);

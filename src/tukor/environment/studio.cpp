@@ -106,8 +106,7 @@ glm::vec3 backdrop(glm::vec3 direction) {
 }  // namespace
 
 CubeMap studioCube(int faceSize) {
-    std::vector<PlacedPanel> panels;
-    for (const Panel& panel : kPanels) panels.emplace_back(panel);
+    const std::vector<PlacedPanel> panels(std::begin(kPanels), std::end(kPanels));
 
     return cubeFromFunction(faceSize, [&](Cone cone) {
         // Two cones overlap unless their axes are farther apart than their angles together.

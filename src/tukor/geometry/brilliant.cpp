@@ -83,8 +83,8 @@ Mesh makeBrilliant(const BrilliantOptions& options) {
     };
 
     Mesh mesh;
-    std::vector<dvec3> corners;
-    for (int k = 0; k < 8; ++k) corners.push_back(tableCorner(k));
+    std::vector<dvec3> corners(8);
+    for (int k = 0; k < 8; ++k) corners[static_cast<std::size_t>(k)] = tableCorner(k);
     addFacet(mesh, corners);
     for (int k = 0; k < 8; ++k) {
         const dvec3 onGirdle = at(1.0, k, lift + girdle);

@@ -38,23 +38,21 @@ private:
     GLuint id_ = 0;
 };
 
-#define TUKOR_GL_HANDLE(Name, generate, remove)            \
-    struct Name##Kind {                                    \
-        static GLuint make() {                             \
-            GLuint id = 0;                                 \
-            generate(1, &id);                              \
-            return id;                                     \
-        }                                                  \
-        static void destroy(GLuint id) { remove(1, &id); } \
-    };                                                     \
-    using Name = Handle<Name##Kind>
+template <auto generate, auto remove>
+struct GeneratedKind {
+    static GLuint make() {
+        GLuint id = 0;
+        generate(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { remove(1, &id); }
+};
 
-TUKOR_GL_HANDLE(Buffer, glGenBuffers, glDeleteBuffers);
-TUKOR_GL_HANDLE(Texture, glGenTextures, glDeleteTextures);
-TUKOR_GL_HANDLE(Renderbuffer, glGenRenderbuffers, glDeleteRenderbuffers);
-TUKOR_GL_HANDLE(Framebuffer, glGenFramebuffers, glDeleteFramebuffers);
-TUKOR_GL_HANDLE(VertexArray, glGenVertexArrays, glDeleteVertexArrays);
-#undef TUKOR_GL_HANDLE
+using Buffer = Handle<GeneratedKind<glGenBuffers, glDeleteBuffers>>;
+using Texture = Handle<GeneratedKind<glGenTextures, glDeleteTextures>>;
+using Renderbuffer = Handle<GeneratedKind<glGenRenderbuffers, glDeleteRenderbuffers>>;
+using Framebuffer = Handle<GeneratedKind<glGenFramebuffers, glDeleteFramebuffers>>;
+using VertexArray = Handle<GeneratedKind<glGenVertexArrays, glDeleteVertexArrays>>;
 
 struct ProgramKind {
     static GLuint make() { return glCreateProgram(); }

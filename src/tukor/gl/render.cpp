@@ -64,7 +64,7 @@ Rendering render(const Scene& scene, const Environment& environment, const Camer
                                     static_cast<float>(windows.size())) ||
                           stopped;
         } while (!stopped && renderer.accumulatedSamples() < samples);
-        const Rendering part = renderer.read();
+        Rendering part = renderer.read();
         if (windows.size() == 1) return part;
         if (i == 0) {
             whole.radiance = Image(options.width, options.height);

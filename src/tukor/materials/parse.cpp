@@ -130,7 +130,7 @@ Material parseMaterial(std::string_view text) {
     const std::size_t colon = text.find(':');
     const std::string_view kind = text.substr(0, colon);
     if (colon != std::string_view::npos && (kind == "mirror" || kind == "metal" || kind == "ior")) {
-        const Material material = parseFigures(kind, text.substr(colon + 1), text);
+        Material material = parseFigures(kind, text.substr(colon + 1), text);
         checkMaterial(material, text);
         return material;
     }

@@ -119,7 +119,7 @@ std::vector<std::string> closednessWarnings(const Scene& scene) {
         const std::string warning = warningOf(checkClosed(solid));
         if (warning.empty()) continue;
         const std::string& name = part.materialName.empty() ? part.name : part.materialName;
-        warnings.push_back(name.empty() ? warning : name + ": " + warning);
+        warnings.push_back(name.empty() ? warning : fmt::format("{}: {}", name, warning));
     }
     return warnings;
 }

@@ -52,9 +52,9 @@ std::optional<JsonItem> JsonItem::find(const char* name) const {
 }
 
 JsonItem JsonItem::at(const char* name) const {
-    std::optional<JsonItem> found = find(name);
+    const std::optional<JsonItem> found = find(name);
     if (!found) fail(fmt::format("'{}' is missing", name));
-    return *std::move(found);
+    return *found;
 }
 
 std::vector<std::string> JsonItem::memberNames() const {

@@ -89,8 +89,8 @@ private:
 /// The elements of an array, made one by one as they are walked over.
 class JsonList {
 public:
-    explicit JsonList(std::optional<JsonItem> array)
-        : array_(std::move(array)), size_(array_ ? array_->size() : 0) {}
+    explicit JsonList(const std::optional<JsonItem>& array)
+        : array_(array), size_(array_ ? array_->size() : 0) {}
 
     class Iterator {
     public:

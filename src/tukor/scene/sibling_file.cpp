@@ -78,7 +78,7 @@ fs::path siblingPath(const fs::path& model, std::string_view uri) {
     std::error_code error;
     const fs::path inside = fs::weakly_canonical(folder, error);
     if (error) throw refuse("its folder cannot be found");
-    const fs::path target = fs::weakly_canonical(folder / relative, error);
+    fs::path target = fs::weakly_canonical(folder / relative, error);
     if (error) throw refuse("a path that cannot be followed");
     if (!isBelow(target, inside)) throw refuse("a link that leads elsewhere");
     return target;
