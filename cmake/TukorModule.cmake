@@ -44,9 +44,8 @@ function(tukor_module name)
     set_property(GLOBAL APPEND PROPERTY TUKOR_MODULES ${target})
 
     if(TUKOR_TESTS AND tests)
-        add_executable(${target}_test ${tests})
-        target_link_libraries(${target}_test PRIVATE ${target} tukor_settings ${arg_TEST_LIBRARIES}
-                              GTest::gtest GTest::gmock GTest::gtest_main)
+        tukor_test_program(${target}_test ${tests})
+        target_link_libraries(${target}_test PRIVATE ${target} ${arg_TEST_LIBRARIES})
         gtest_discover_tests(${target}_test DISCOVERY_MODE PRE_TEST PROPERTIES LABELS unit TIMEOUT 120)
     endif()
 endfunction()
