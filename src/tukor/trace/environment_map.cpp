@@ -7,40 +7,15 @@
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/cube_texel.h"
-#include "tukor/transport/footprint.h"
-#include "tukor/transport/look_ups.h"
 
 namespace tukor::trace {
 
 namespace {
 
-// Footprints are clamped to 16 texels (transport/footprint.h): no more levels are ever read.
-constexpr std::size_t kLevels = 5;
-
 constexpr float kPi = std::numbers::pi_v<float>;
 
 EnvironmentMap::Texel texelOf(glm::vec3 radiance) {
     return {radiance.x, radiance.y, radiance.z, 0.0f};
-}
-
-/// atan2 to 2e-7, a third of the library's time: minimax on [0, 1] and reflections.
-float quickAtan2(float y, float x) {
-    const float ax = std::abs(x), ay = std::abs(y);
-    const float most = std::max(ax, ay), least = std::min(ax, ay);
-    const float t = most > 0.0f ? least / most : 0.0f;
-    const float s = t * t;
-    float a = 0.00282363896258175373f;
-    a = a * s - 0.0159569028764963150f;
-    a = a * s + 0.0425049886107444763f;
-    a = a * s - 0.0748900920152664185f;
-    a = a * s + 0.106347933411598206f;
-    a = a * s - 0.142027363181114197f;
-    a = a * s + 0.199926957488059998f;
-    a = a * s - 0.333331018686294556f;
-    a = a * s * t + t;
-    a = ay > ax ? 0.5f * kPi - a : a;
-    a = x < 0.0f ? kPi - a : a;
-    return y < 0.0f ? -a : a;
 }
 
 /// Half the size, each pixel the mean over its solid angle; odd last rows and columns are left out.
@@ -75,7 +50,8 @@ EnvironmentMap::EnvironmentMap(const CubeMap& cube, float rotation, float intens
     equivalentFaceSize_ = cube.faceSize();
     addCubeLevel(cube, intensity);
     CubeMap coarser(1);
-    for (int size = cube.faceSize() / 2; size >= 1 && levels_.size() < kLevels; size /= 2) {
+    for (int size = cube.faceSize() / 2; size >= 1 && levels_.size() < kEnvironmentLevels;
+         size /= 2) {
         coarser = shrunkCube(levels_.size() == 1 ? cube : coarser, size);
         addCubeLevel(coarser, intensity);
     }
@@ -88,7 +64,7 @@ EnvironmentMap::EnvironmentMap(const Image& panorama, float rotation, float inte
     equivalentFaceSize_ = std::max(1, static_cast<int>(0.2303f * static_cast<float>(width)));
     addPanoramaLevel(panorama.pixels(), width, height, intensity);
     std::vector<glm::vec3> pixels;
-    while (levels_.size() < kLevels && width >= 8 && height >= 4) {
+    while (levels_.size() < kEnvironmentLevels && width >= 8 && height >= 4) {
         pixels = halved(pixels.empty() ? panorama.pixels() : std::span<const glm::vec3>(pixels),
                         width, height);
         width /= 2;
@@ -158,77 +134,6 @@ void EnvironmentMap::addCubeLevel(const CubeMap& cube, float intensity) {
             }
         }
     });
-}
-
-EnvironmentMap::Place EnvironmentMap::placeOf(glm::vec3 direction) const noexcept {
-    if (form_ == Form::cube) {
-        const CubePoint point = cubeFromDirection(direction);
-        return {static_cast<std::size_t>(point.face), 0.5f * (point.s + 1.0f),
-                0.5f * (point.t + 1.0f)};
-    }
-    const float across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-    return {0, 0.5f + quickAtan2(direction.x, -direction.z) * (0.5f / kPi),
-            quickAtan2(across, direction.y) * (1.0f / kPi)};
-}
-
-EnvironmentMap::Texel EnvironmentMap::bilinear(const Level& level,
-                                               const Place& place) const noexcept {
-    const auto w = static_cast<float>(level.width), h = static_cast<float>(level.height);
-    // Borders shift all texels by one. Clamped so that not even a NaN reads out of bounds.
-    const float u = std::min(std::max(0.0f, place.x * w + 0.5f), w + 0.5f);
-    const float v = std::min(std::max(0.0f, place.y * h + 0.5f), h + 0.5f);
-    const int column = std::min(static_cast<int>(u), level.width);
-    const int row = std::min(static_cast<int>(v), level.height);
-    const float right = u - static_cast<float>(column);
-    const float down = v - static_cast<float>(row);
-    const auto stride = static_cast<std::size_t>(level.width) + 2;
-    const std::size_t line =
-        place.panel * (static_cast<std::size_t>(level.height) + 2) + static_cast<std::size_t>(row);
-    const Texel* above = level.texels.get() + line * stride + static_cast<std::size_t>(column);
-    const Texel* below = above + stride;
-    const float w00 = (1.0f - right) * (1.0f - down), w10 = right * (1.0f - down);
-    const float w01 = (1.0f - right) * down, w11 = right * down;
-    Texel sum;  // of all four floats: the compiler takes them at once
-    sum.r = w00 * above[0].r + w10 * above[1].r + w01 * below[0].r + w11 * below[1].r;
-    sum.g = w00 * above[0].g + w10 * above[1].g + w01 * below[0].g + w11 * below[1].g;
-    sum.b = w00 * above[0].b + w10 * above[1].b + w01 * below[0].b + w11 * below[1].b;
-    sum.unused = w00 * above[0].unused + w10 * above[1].unused + w01 * below[0].unused +
-                 w11 * below[1].unused;
-    return sum;
-}
-
-glm::vec3 EnvironmentMap::turned(glm::vec3 d) const noexcept {
-    return {cosRotation_ * d.x - sinRotation_ * d.z, d.y, sinRotation_ * d.x + cosRotation_ * d.z};
-}
-
-glm::vec3 EnvironmentMap::look(glm::vec3 direction, float level) const noexcept {
-    const Place place = placeOf(direction);
-    const auto finest = std::min(static_cast<std::size_t>(level), levels_.size() - 1);
-    const float between = level - static_cast<float>(finest);
-    const Texel a = bilinear(levels_[finest], place);
-    if (!(between > 0.0f) || finest + 1 == levels_.size()) return {a.r, a.g, a.b};
-    const Texel b = bilinear(levels_[finest + 1], place);
-    return {a.r + between * (b.r - a.r), a.g + between * (b.g - a.g), a.b + between * (b.b - a.b)};
-}
-
-glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, float solidAngle) const noexcept {
-    return look(turned(direction), transport::footprintLevel(solidAngle, equivalentFaceSize_));
-}
-
-glm::vec3 EnvironmentMap::radiance(glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
-                                   int mostLookUps) const noexcept {
-    const float texelsPerRadian = 0.691f * static_cast<float>(equivalentFaceSize_);
-    const transport::LookUps l = transport::lookUpsOver(dx, dy, texelsPerRadian, mostLookUps);
-    const float level = std::min(l.level, static_cast<float>(kLevels - 1));
-    if (l.across * l.down == 1) return look(turned(direction), level);
-    const glm::vec3 stepX = turned(l.stepX), stepY = turned(l.stepY);
-    const glm::vec3 first = turned(direction + l.first);
-    glm::vec3 sum(0.0f);
-    for (int j = 0; j < l.down; ++j) {
-        glm::vec3 at = first + static_cast<float>(j) * stepY;
-        for (int i = 0; i < l.across; ++i, at += stepX) sum += look(at, level);
-    }
-    return sum / static_cast<float>(l.across * l.down);
 }
 
 }  // namespace tukor::trace

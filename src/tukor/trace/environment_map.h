@@ -1,6 +1,8 @@
 // An environment made quick to look up: a mip chain of bordered panels, four floats a texel.
 #pragma once
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -9,6 +11,27 @@
 #include "tukor/image/image.h"
 
 namespace tukor::trace {
+
+/// Footprints are clamped to 16 texels (transport/footprint.h): no more levels are ever read.
+inline constexpr int kEnvironmentLevels = 5;
+
+/// Look-ups that are done together: eight at a time, and the texels of all are fetched before the
+/// first is summed.
+struct LookUpBatch {
+    static constexpr int kRoom = 128;
+    struct alignas(16) Texel {
+        float r, g, b, unused;
+    };
+
+    int count = 0;
+    alignas(64) std::array<float, kRoom> x, y, z;  // directions of any length, turned with the map
+    alignas(64) std::array<float, kRoom> level;
+    std::array<Texel, kRoom> found;  // by EnvironmentMap::look
+
+    [[nodiscard]] int room() const noexcept { return kRoom - count; }
+    /// The sum of what some look-ups have found.
+    [[nodiscard]] glm::vec3 sum(int first, int number) const noexcept;
+};
 
 /// Radiance by direction and footprint; seamless, trilinear. Read-only: threads may share it.
 ///
@@ -29,9 +52,16 @@ public:
     [[nodiscard]] glm::vec3 radiance(glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
                                      int mostLookUps) const noexcept;
 
-    struct alignas(16) Texel {
-        float r, g, b, unused;
-    };
+    /// Puts the same look-ups, one or at most `mostLookUps`, for which there must be room, into a
+    /// batch. How many they are.
+    int add(LookUpBatch& batch, glm::vec3 direction, float solidAngle) const noexcept;
+    int add(LookUpBatch& batch, glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
+            int mostLookUps) const noexcept;
+
+    /// Does what the batch asks for.
+    void look(LookUpBatch& batch) const noexcept;
+
+    using Texel = LookUpBatch::Texel;
 
 private:
     enum class Form { cube, panorama };
@@ -40,11 +70,6 @@ private:
         int height;
         std::unique_ptr<Texel[]> texels;  // [panel][row][column], (width + 2) * (height + 2) each
     };
-    struct Place {
-        std::size_t panel;
-        float x;  // 0 at the left edge of the panel, 1 at its right one
-        float y;
-    };
 
     EnvironmentMap(Form form, float rotation);
     /// Its texels, to be written, of so many panels.
@@ -52,10 +77,10 @@ private:
     void addCubeLevel(const CubeMap& cube, float intensity);
     void addPanoramaLevel(std::span<const glm::vec3> pixels, int width, int height,
                           float intensity);
-    [[nodiscard]] glm::vec3 turned(glm::vec3 direction) const noexcept;
-    [[nodiscard]] glm::vec3 look(glm::vec3 turnedDirection, float level) const noexcept;
-    [[nodiscard]] Place placeOf(glm::vec3 direction) const noexcept;
-    [[nodiscard]] Texel bilinear(const Level& level, const Place& place) const noexcept;
+    [[nodiscard]] glm::vec3 turned(glm::vec3 d) const noexcept {
+        return {cosRotation_ * d.x - sinRotation_ * d.z, d.y,
+                sinRotation_ * d.x + cosRotation_ * d.z};
+    }
 
     Form form_;
     float cosRotation_;

@@ -26,7 +26,9 @@ constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
 
 }  // namespace
 
-PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {}
+PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {
+    owed_.reserve(LookUpBatch::kRoom);
+}
 
 transport::Branch PathPool::cameraBranch(const CameraSample& sample,
                                          float footprintScale) const noexcept {
@@ -43,8 +45,8 @@ transport::Branch PathPool::cameraBranch(const CameraSample& sample,
     return ray;
 }
 
-void PathPool::castCameraRays(std::span<const CameraSample> samples, float footprintScale,
-                              std::span<PixelSum> sums) {
+void PathPool::castCameraRays(float footprintScale) {
+    const std::span<const CameraSample> samples = samples_;
     firstHits_.clear();
     RayPacket packet;
     std::array<RayHit, kPacketWidth> hits;
@@ -63,43 +65,57 @@ void PathPool::castCameraRays(std::span<const CameraSample> samples, float footp
                 firstHits_.push_back({hit, sample});
             } else if (frame_.background) {
                 const transport::Branch ray = cameraBranch(samples[sample], footprintScale);
-                sums[static_cast<std::size_t>(samples[sample].target)].radiance +=
-                    samples[sample].weight *
-                    frame_.environment.radiance(ray.direction,
-                                                transport::footprintSolidAngle(ray.footprint));
+                if (lookUps_.room() < 1) settle();
+                owed_.push_back(
+                    {glm::vec3(samples[sample].weight), samples[sample].target,
+                     frame_.environment.add(lookUps_, ray.direction,
+                                            transport::footprintSolidAngle(ray.footprint))});
             }
         }
     }
     counts_.rays += samples.size();
 }
 
-void PathPool::collect(Path& path, const transport::Deposits& deposits) const noexcept {
-    const auto look = [&](const transport::Deposit& deposit) {
-        const int lookUps =
-            transport::lookUpsWorth(transport::heaviness(deposit.throughput), kMostLookUps);
-        path.radiance +=
-            deposit.throughput * frame_.environment.radiance(deposit.direction, deposit.directionX,
-                                                             deposit.directionY, lookUps);
-    };
-    if (deposits.count > 0) look(deposits.first);
-    if (deposits.count > 1) look(deposits.second);
+[[gnu::noinline]] void PathPool::collect(const CameraSample& sample,
+                                         const transport::Deposit& deposit) noexcept {
+    const int most =
+        transport::lookUpsWorth(transport::heaviness(deposit.throughput), kMostLookUps);
+    if (lookUps_.room() < most) settle();
+    const int lookUps = frame_.environment.add(lookUps_, deposit.direction, deposit.directionX,
+                                               deposit.directionY, most);
+    owed_.push_back({deposit.throughput * (sample.weight / static_cast<float>(lookUps)),
+                     sample.target, lookUps});
 }
 
-void PathPool::meet(Path& path, RayHit hit) noexcept {
+void PathPool::collect(const Path& path, const transport::Deposits& deposits) noexcept {
+    if (deposits.count > 0) collect(samples_[path.sample], deposits.first);
+    if (deposits.count > 1) collect(samples_[path.sample], deposits.second);
+}
+
+void PathPool::settle() noexcept {
+    frame_.environment.look(lookUps_);
+    int first = 0;
+    for (const Owed& one : owed_) {
+        sums_[static_cast<std::size_t>(one.target)].radiance +=
+            one.weight * lookUps_.sum(first, one.lookUps);
+        first += one.lookUps;
+    }
+    lookUps_.count = 0;
+    owed_.clear();
+}
+
+// Everything in one function: passed from one to another, a branch is written in single floats and
+// read in vectors, for which the processor waits.
+[[gnu::flatten, gnu::noinline]] void PathPool::meet(Path& path, RayHit hit) noexcept {
     transport::Branch& ray = path.tree.branch;
     transport::SurfaceHit surface;
     transport::Encounter met;
-    const auto look = [&] {
+    if (hit.surface < 0 && ray.media != 0u) hit = withoutRounding(frame_, ray, hit);
+    for (int i = 0; i < 2 && hit.surface >= 0; ++i) {
         surface = frame_.surfaces.at(hit, ray.origin, ray.direction);
         met = transport::encounter(ray, surface);
-    };
-    if (hit.surface < 0 && ray.media != 0u) hit = withoutRounding(frame_, ray, hit);
-    if (hit.surface >= 0) {
-        look();
-        if (!met.consistent) {
-            hit = withoutRounding(frame_, ray, hit);
-            if (hit.surface >= 0) look();
-        }
+        if (met.consistent || i > 0) break;
+        hit = withoutRounding(frame_, ray, hit);
     }
     path.grazing = splits_ && ray.skip < 0 && ray.depth == 0 && hit.surface >= 0 &&
                    transport::grazes(ray.footprint, ray.direction, surface, met.face);
@@ -118,7 +134,8 @@ void PathPool::meet(Path& path, RayHit hit) noexcept {
     }
 }
 
-void PathPool::disperse(Path& path, const transport::Encounter& met) const noexcept {
+[[gnu::noinline]] void PathPool::disperse(Path& path,
+                                          const transport::Encounter& met) const noexcept {
     const SurfaceTable& surfaces = frame_.surfaces;
     if (path.wavelength > 0.0f || !(surfaces.disperses(met.from) || surfaces.disperses(met.to)))
         return;
@@ -136,8 +153,9 @@ transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcep
     return frame_.surfaces.medium(number, path.wavelength);
 }
 
-bool PathPool::meetRough(Path& path, const RayHit& hit, const transport::SurfaceHit& surface,
-                         const transport::Encounter& met) const noexcept {
+[[gnu::noinline]] bool PathPool::meetRough(Path& path, const RayHit& hit,
+                                           const transport::SurfaceHit& surface,
+                                           const transport::Encounter& met) const noexcept {
     if (path.chosen.catching) {  // what arrives from there unhindered was counted: not this
         path.chosen.catching = false;
         if (hit.surface < 0) {
@@ -169,14 +187,13 @@ bool PathPool::wantsRay(Path& path) noexcept {
     return path.tree.alive;
 }
 
-void PathPool::finish(const Path& path, std::span<const CameraSample> samples,
-                      std::span<PixelSum> sums) noexcept {
+void PathPool::finish(const Path& path) noexcept {
     if (path.grazing) {
         grazing_.push_back(path.sample);
         return;
     }
-    const CameraSample& sample = samples[path.sample];
-    PixelSum& sum = sums[static_cast<std::size_t>(sample.target)];
+    const CameraSample& sample = samples_[path.sample];
+    PixelSum& sum = sums_[static_cast<std::size_t>(sample.target)];
     sum.radiance += sample.weight * path.radiance;
     sum.coverage += sample.weight;
     counts_.rays += static_cast<std::uint64_t>(path.tree.rays - 1);  // its first was counted before
@@ -185,12 +202,11 @@ void PathPool::finish(const Path& path, std::span<const CameraSample> samples,
     counts_.truncated += static_cast<std::uint64_t>(path.tree.truncated);
 }
 
-std::vector<CameraSample> PathPool::splitGrazing(std::span<const CameraSample> samples,
-                                                 float footprintScale) const {
+std::vector<CameraSample> PathPool::splitGrazing(float footprintScale) const {
     std::vector<CameraSample> finer;
     finer.reserve(grazing_.size() * transport::kFinerSamples);
     for (const std::uint32_t number : grazing_) {
-        const CameraSample& sample = samples[number];
+        const CameraSample& sample = samples_[number];
         for (std::uint32_t i = 0; i < transport::kFinerSamples; ++i) {
             const glm::vec2 place = transport::finerSample(sample.seed, i);
             CameraSample& one = finer.emplace_back(sample);
@@ -206,18 +222,20 @@ std::vector<CameraSample> PathPool::splitGrazing(std::span<const CameraSample> s
 
 void PathPool::trace(std::span<const CameraSample> samples, float footprintScale,
                      std::span<PixelSum> sums) {
+    samples_ = samples;
+    sums_ = sums;
     splits_ = frame_.splitGrazing;
-    traceAll(samples, footprintScale, sums);
+    traceAll(footprintScale);
     if (grazing_.empty()) return;
-    const std::vector<CameraSample> finer = splitGrazing(samples, footprintScale);
+    const std::vector<CameraSample> finer = splitGrazing(footprintScale);
     grazing_.clear();
     splits_ = false;
-    traceAll(finer, footprintScale * transport::kFinerWidth, sums);
+    samples_ = finer;
+    traceAll(footprintScale * transport::kFinerWidth);
 }
 
-void PathPool::traceAll(std::span<const CameraSample> samples, float footprintScale,
-                        std::span<PixelSum> sums) {
-    castCameraRays(samples, footprintScale, sums);
+void PathPool::traceAll(float footprintScale) {
+    castCameraRays(footprintScale);
 
     // live[0 .. alive) number the paths under way, the rest of it those that are free.
     std::array<std::uint8_t, kPaths> live;
@@ -227,7 +245,7 @@ void PathPool::traceAll(std::span<const CameraSample> samples, float footprintSc
     const auto refill = [&] {
         while (alive < kPaths && next < firstHits_.size()) {
             const FirstHit& first = firstHits_[next++];
-            const CameraSample& sample = samples[first.sample];
+            const CameraSample& sample = samples_[first.sample];
             Path& path = paths_[live[alive]];
             path.tree = transport::startTree(cameraBranch(sample, footprintScale), sample.seed);
             path.radiance = glm::vec3(0.0f);
@@ -240,7 +258,7 @@ void PathPool::traceAll(std::span<const CameraSample> samples, float footprintSc
             if (wantsRay(path)) {
                 ++alive;
             } else {
-                finish(path, samples, sums);
+                finish(path);
             }
         }
     };
@@ -272,11 +290,12 @@ void PathPool::traceAll(std::span<const CameraSample> samples, float footprintSc
             if (wantsRay(paths_[live[i]])) {
                 ++i;
             } else {
-                finish(paths_[live[i]], samples, sums);
+                finish(paths_[live[i]]);
                 std::swap(live[i], live[--alive]);
             }
         }
     }
+    settle();
 }
 
 }  // namespace tukor::trace

@@ -65,31 +65,40 @@ private:
         RayHit hit;
         std::uint32_t sample;
     };
+    /// The mean of some look-ups, to be counted in a sum.
+    struct Owed {
+        glm::vec3 weight;
+        int target;
+        int lookUps;
+    };
 
-    void traceAll(std::span<const CameraSample> samples, float footprintScale,
-                  std::span<PixelSum> sums);
-    void castCameraRays(std::span<const CameraSample> samples, float footprintScale,
-                        std::span<PixelSum> sums);
+    void traceAll(float footprintScale);
+    void castCameraRays(float footprintScale);
     [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
                                                  float footprintScale) const noexcept;
     void meet(Path& path, RayHit hit) noexcept;
     /// Light that meets a surface of something that disperses it goes on as that of one wavelength.
     void disperse(Path& path, const transport::Encounter& met) const noexcept;
     [[nodiscard]] transport::Medium mediumOf(const Path& path, int number) const noexcept;
-    void collect(Path& path, const transport::Deposits& deposits) const noexcept;
+    void collect(const Path& path, const transport::Deposits& deposits) noexcept;
+    void collect(const CameraSample& sample, const transport::Deposit& deposit) noexcept;
+    /// Does the look-ups that are owed.
+    void settle() noexcept;
     /// Where a surface is not smooth, or the light of one was sampled; false: it is another's work.
     [[nodiscard]] bool meetRough(Path& path, const RayHit& hit,
                                  const transport::SurfaceHit& surface,
                                  const transport::Encounter& met) const noexcept;
     /// Runs events that need no ray; false when the path has ended.
     [[nodiscard]] bool wantsRay(Path& path) noexcept;
-    void finish(const Path& path, std::span<const CameraSample> samples,
-                std::span<PixelSum> sums) noexcept;
+    void finish(const Path& path) noexcept;
     /// In place of the samples that graze curved surfaces, 16 in the square of each.
-    [[nodiscard]] std::vector<CameraSample> splitGrazing(std::span<const CameraSample> samples,
-                                                         float footprintScale) const;
+    [[nodiscard]] std::vector<CameraSample> splitGrazing(float footprintScale) const;
 
     const Frame& frame_;
+    std::span<const CameraSample> samples_;  // those under way
+    std::span<PixelSum> sums_;
+    LookUpBatch lookUps_;
+    std::vector<Owed> owed_;
     std::vector<Path> paths_;
     std::vector<FirstHit> firstHits_;
     std::vector<std::uint32_t> grazing_;
