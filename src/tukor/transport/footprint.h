@@ -61,26 +61,24 @@ TUKOR_FN Footprint footprintAtSurface(Footprint f, vec3 d, float distance, vec3 
     return f;
 }
 
-/// The change of the unit shading normal over a step `dp` in the plane of the triangle.
-TUKOR_FN vec3 normalChange(SurfaceHit hit, Facing face, vec3 dp) {
-    vec3 area = cross(hit.e1, hit.e2);
-    float scale = 1.0f / dot(area, area);
-    float du = dot(cross(dp, hit.e2), area) * scale;
-    float dv = dot(cross(hit.e1, dp), area) * scale;
-    vec3 change = (du * hit.normalE1 + dv * hit.normalE2) * (face.side / length(hit.normal));
-    return change - dot(change, face.n) * face.n;
-}
-
-/// The change of the shading normal over a footprint, per pixel in x and y.
+/// The change of the unit shading normal over a footprint in the plane of the triangle, per pixel
+/// in x and y.
 struct NormalChange {
     vec3 x;
     vec3 y;
 };
 
 TUKOR_FN NormalChange normalChangeOver(Footprint f, SurfaceHit hit, Facing face) {
+    vec3 area = cross(hit.e1, hit.e2);
+    float scale = 1.0f / dot(area, area);
+    vec3 u = cross(hit.e2, area) * scale;  // the gradients of the barycentric coordinates
+    vec3 v = cross(area, hit.e1) * scale;
+    float turn = face.side / length(hit.normal);
+    vec3 perU = turn * (hit.normalE1 - dot(hit.normalE1, face.n) * face.n);
+    vec3 perV = turn * (hit.normalE2 - dot(hit.normalE2, face.n) * face.n);
     NormalChange n;
-    n.x = normalChange(hit, face, f.originX);
-    n.y = normalChange(hit, face, f.originY);
+    n.x = dot(f.originX, u) * perU + dot(f.originX, v) * perV;
+    n.y = dot(f.originY, u) * perU + dot(f.originY, v) * perV;
     return n;
 }
 

@@ -51,7 +51,7 @@ TUKOR_FN LookUps lookUpsOver(vec3 dx, vec3 dy, float texelsPerRadian, int most) 
         }
     }
     float step = max(width / float(l.across), height / float(l.down));
-    l.level = log2(max(step, 1.0f));
+    if (step > 1.0f) l.level = log2(step);
     l.stepX = dx / float(l.across);
     l.stepY = dy / float(l.down);
     l.first = (-0.5f * float(l.across - 1)) * l.stepX - (0.5f * float(l.down - 1)) * l.stepY;

@@ -20,16 +20,19 @@ TUKOR_FN uint reversedBits(uint x) {
     return ((x & 0x55555555u) << 1u) | ((x >> 1u) & 0x55555555u);
 }
 
-/// Nested uniform scrambling by a hash: bit i depends on the bits above it. [Laine & Karras 2011;
-/// constants of Vegdahl 2021]
-TUKOR_FN uint owenScrambled(uint x, uint seed) {
-    x = reversedBits(x);
+/// Nested uniform scrambling by a hash: bit i depends on the bits above it. Of the number whose
+/// bits in reverse are `x`. [Laine & Karras 2011; constants of Vegdahl 2021]
+TUKOR_FN uint owenScrambledReverse(uint x, uint seed) {
     x = x ^ (x * 0x3d20adeau);
     x = x + seed;
     x = x * ((seed >> 16u) | 1u);
     x = x ^ (x * 0x05526c56u);
     x = x ^ (x * 0x53a22864u);
     return reversedBits(x);
+}
+
+TUKOR_FN uint owenScrambled(uint x, uint seed) {
+    return owenScrambledReverse(reversedBits(x), seed);
 }
 
 /// The second dimension of the Sobol sequence; the first is reversedBits.
@@ -51,7 +54,7 @@ TUKOR_FN uint pixelSeed(uint pixel, uint pictureSeed) {
 /// Sample `index` of a pixel, in [0, 1)^2 from its top-left corner. Every prefix of 2^k samples is
 /// a (0, k, 2)-net.
 TUKOR_FN vec2 pixelSample(uint seed, uint index) {
-    uint x = owenScrambled(reversedBits(index), mixedBits(seed + 1u));
+    uint x = owenScrambledReverse(index, mixedBits(seed + 1u));
     uint y = owenScrambled(sobolSecond(index), mixedBits(seed + 2u));
     float scale = 1.0f / 16777216.0f;  // 24 bits: the result stays below 1
     return vec2(float(x >> 8u) * scale, float(y >> 8u) * scale);

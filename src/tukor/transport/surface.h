@@ -39,11 +39,15 @@ struct Facing {
 /// The unit normal of a triangle by its winding, also of tiny ones; the null vector if it has no
 /// area.
 TUKOR_FN vec3 geometricNormal(vec3 e1, vec3 e2) {
+    vec3 area = cross(e1, e2);
+    float l2 = dot(area, area);
+    if (l2 > 1e-30f && l2 < 1e30f) return area * inversesqrt(l2);
+    // Of less than 1e-15 square metres, or far too many: scaled, so that squares stay in range.
     vec3 most = max(abs(e1), abs(e2));
     float size = max(most.x, max(most.y, most.z));
     if (!(size > 0.0f)) return vec3(0.0f);
-    vec3 area = cross(e1 / size, e2 / size);
-    float l2 = dot(area, area);
+    area = cross(e1 / size, e2 / size);
+    l2 = dot(area, area);
     return l2 > 0.0f ? area * inversesqrt(l2) : vec3(0.0f);
 }
 
