@@ -121,7 +121,7 @@ private:
 };
 
 RayCaster::RayCaster(const SurfaceTable& surfaces) : embree_(std::make_unique<Embree>()) {
-    embree_->device = rtcNewDevice(nullptr);
+    embree_->device = rtcNewDevice("hugepages=1");
     if (!embree_->device) throw Error("embree: this processor is not supported");
     embree_->scene = rtcNewScene(embree_->device);
     rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);

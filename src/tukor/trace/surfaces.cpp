@@ -44,6 +44,7 @@ SurfaceTable::Triangle triangleOf(const Mesh& mesh, glm::uvec3 corners) {
 }
 
 void addTriangles(SurfaceTable::Entry& entry, const Mesh& mesh) {
+    entry.positions.reserve(mesh.positions.size() + 1);
     entry.positions = mesh.positions;
     entry.positions.emplace_back(0.0f);
     entry.indices = mesh.triangles;
