@@ -45,7 +45,8 @@ struct Gathered {
 /// narrow.
 class Sectors {
 public:
-    Sectors(int width, double quarter) : width_(width), parts_(std::max(1, 256 / width)) {
+    Sectors(int width, double quarter, int finer)
+        : width_(width), parts_(std::max(1, 256 / width)), finer_(finer) {
         const double middle = parts_ * width * (0.5 + 0.25 * quarter);
         const double reach = 0.125 * parts_ * width;
         first_ = static_cast<int>(std::floor(middle - reach + 1e-7)) + 1;
@@ -72,10 +73,18 @@ public:
                 for (int i = 0; i < 4; ++i)
                     piece.columns[static_cast<std::size_t>(i)] =
                         (column + i * (width_ / 4) + width_) % width_;
-                piece.longitudes = static_cast<float>(angle - fromAngle);
-                const double middle = 0.5 * (tangent + fromTangent);
-                out.list.push_back(piece);
-                out.slopes.push_back(static_cast<float>(1.0 + middle * middle));
+                // A line of texels crosses rows of pixels where it is far from the middle: its
+                // depth in the middle of a piece then stands for too much.
+                const double rise = 0.5 * std::abs(tangent + fromTangent) * (angle - fromAngle);
+                const double most = 0.8 * kPi / width_;  // 0.4 of a pixel
+                const int cuts = rise > most / finer_ ? 2 * finer_ : 1;
+                piece.longitudes = static_cast<float>((angle - fromAngle) / cuts);
+                for (int cut = 0; cut < cuts; ++cut) {
+                    const double middle =
+                        fromTangent + (cut + 0.5) / cuts * (tangent - fromTangent);
+                    out.list.push_back(piece);
+                    out.slopes.push_back(static_cast<float>(1.0 + middle * middle));
+                }
             }
             fromTangent = tangent;
             fromAngle = angle;
@@ -86,6 +95,7 @@ public:
 private:
     int width_;
     int parts_;  // of a pixel
+    int finer_;
     int first_;  // the first edge within
     std::vector<double> angles_, tangents_;
 };
@@ -207,9 +217,9 @@ void fillSides(const Rows& rows, const std::vector<Sectors>& sectors, CubeMap& c
 /// By square rings around the poles. A ring's lines of texels are cut into thinner ones, along
 /// which pixel edges are taken to run straight outwards.
 void fillPoles(const Rows& rows, const std::vector<Sectors>& sectors, double pixelsPerTexel,
-               CubeMap& cube) {
+               int finer, CubeMap& cube) {
     const int size = cube.faceSize();
-    const int lines = std::max(4, static_cast<int>(std::ceil(3.0 * pixelsPerTexel)));
+    const int lines = finer * std::max(3, static_cast<int>(std::ceil(2.2 * pixelsPerTexel)));
     parallelFor(0, (size + 1) / 2, 8, [&](int begin, int end) {
         Pieces pieces;
         std::vector<double> edges;
@@ -274,14 +284,16 @@ void fillPoles(const Rows& rows, const std::vector<Sectors>& sectors, double pix
 
 CubeMap areaCubeFromEquirect(const Image& panorama, int faceSize) {
     const Rows rows(panorama);
+    // Small maps can afford errors a third as large: chains of filtered levels begin with one.
+    const int finer = faceSize <= 512 ? 3 : 1;
     const int quarters = panorama.width() % 4 == 0 ? 1 : 4;
     std::vector<Sectors> sectors;
     sectors.reserve(static_cast<std::size_t>(quarters));
     for (int quarter = 0; quarter < quarters; ++quarter)
-        sectors.emplace_back(panorama.width(), quarter);
+        sectors.emplace_back(panorama.width(), quarter, finer);
     CubeMap cube(faceSize);
     fillSides(rows, sectors, cube);
-    fillPoles(rows, sectors, panorama.width() / kPi / faceSize, cube);
+    fillPoles(rows, sectors, panorama.width() / kPi / faceSize, finer, cube);
     return cube;
 }
 
