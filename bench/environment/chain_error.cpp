@@ -3,8 +3,8 @@
 // usage: chain_error PANORAMA PATTERN LEVELS [filament]
 //
 // PATTERN has {level} and {face} (px nx py ny pz nz). `filament`: faces by cmgen --no-mirror, whose
-// panoramas have +Z in the middle. Roughness by Filament's scale. Prints a line for each level and
-// the mean of all.
+// panoramas have +Z in the middle. Roughness by Filament's scale. Prints for each level its alpha,
+// relative root mean square error and worst texel; level 0 against means over texels.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +16,7 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 
+#include "texel_mean.h"
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_texel.h"
 #include "tukor/environment/layout.h"
@@ -67,7 +68,7 @@ int run(const std::string& panoramaPath, const std::string& pattern, int levels,
     const std::vector<double> alphas = chainAlphas({.levels = levels});
     // A fixed share of the work for each level: sampled texels, the same for every program.
     const int samples = panorama.width() > 2048 ? 16 : 64;
-    for (int level = 1; level < levels; ++level) {
+    for (int level = 0; level < levels; ++level) {
         std::array<Image, 6> faces;
         std::array<std::string, 6> names;
         for (std::size_t i = 0; i < 6; ++i) {
@@ -85,6 +86,12 @@ int run(const std::string& panoramaPath, const std::string& pattern, int levels,
         std::vector<glm::dvec3> exact(texels.size());
         parallelFor(0, samples, 1, [&](int begin, int end) {
             for (int i = begin; i < end; ++i) {
+                if (level == 0) {
+                    exact[static_cast<std::size_t>(i)] =
+                        exactTexelMean(panorama, texels[static_cast<std::size_t>(i)],
+                                       cube.faceSize(), {1.0, 1.0, filament ? -1.0 : 1.0});
+                    continue;
+                }
                 glm::dvec3 direction(glm::normalize(
                     directionFromTexel(texels[static_cast<std::size_t>(i)], cube.faceSize())));
                 if (filament) direction.z = -direction.z;

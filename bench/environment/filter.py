@@ -38,16 +38,20 @@ def main():
         sys.exit(__doc__)
     build = sys.argv[1]
     tukor = f"{build}/apps/tukor/tukor"
-    # `sky` stands for the built-in sky at 4096 x 2048, whose sun is 60,000 times brighter than its blue.
-    panoramas = sys.argv[2:] or [f"{WORLDS}/{name}" for name in sorted(os.listdir(WORLDS)) if name.endswith(".exr")] + ["sky"]
+    # The two skies are the built-in one at 4096 x 2048: as it is, with a sun of radiance 53,000, and with one of 1e5.
+    panoramas = sys.argv[2:] or [f"{WORLDS}/{name}" for name in sorted(os.listdir(WORLDS)) if name.endswith(".exr")] + \
+        ["sky", "bright sky"]
     print(f"{'panorama':20} {'tukor s':>8} {'cmgen s':>8} {'ratio':>6}   "
           f"{'tukor error':>11} {'worst':>8}   {'cmgen error':>11} {'worst':>8} {'ratio':>6}")
     for source in panoramas:
         with tempfile.TemporaryDirectory() as folder:
             # cmgen cannot read the DWA compression of most free panoramas: both get a plain file.
             panorama = f"{folder}/input.exr"
-            subprocess.run([tukor, "environment", "convert", source, "-o", panorama, "--exr-pixels", "half"] +
-                           (["--size", "4096"] if source == "sky" else []), check=True, stderr=subprocess.DEVNULL)
+            if source == "bright sky":
+                subprocess.run([f"{build}/bench/bright_sky", "4096", panorama], check=True, stdout=subprocess.DEVNULL)
+            else:
+                subprocess.run([tukor, "environment", "convert", source, "-o", panorama, "--exr-pixels", "half"] +
+                               (["--size", "4096"] if source == "sky" else []), check=True, stderr=subprocess.DEVNULL)
             ours = f"{folder}/chain_{{}}.exr"
             command = [tukor, "environment", "filter", panorama, "-o", ours, "--size", "256",
                        "--levels", str(LEVELS), "--exr-pixels", "half"]  # as cmgen's
