@@ -1,6 +1,6 @@
 // Files dropped on a picture: models and environments. They never leave the page.
 
-const isEnvironment = ({ name }) => /\.(hdr|exr|png|jpe?g|ktx2)$/i.test(name);
+const isEnvironment = ({ name }) => /\.(hdr|exr|png|jpe?g)$/i.test(name);
 
 /** `take(file, kind)` is called for every file dropped on `view`; kind is "model" or "environment". */
 export function acceptDrops(view, take) {

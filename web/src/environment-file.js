@@ -1,7 +1,7 @@
 // Environment files that the browser or a lazily loaded decoder reads; the rest goes to the library as bytes.
 
 /**
- * What the library is to be given: `bytes` to decode itself (.hdr, .ktx2), linear `radiance` (three floats a pixel),
+ * What the library is to be given: `bytes` to decode itself (.hdr), linear `radiance` (three floats a pixel),
  * or `srgb` (four bytes a pixel).
  */
 export async function readEnvironment(name, bytes) {
