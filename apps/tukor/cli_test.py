@@ -280,6 +280,13 @@ def test_environment_workshop(folder):
     fails("environment", "filter", "nowhere", "-o", "none/a.ktx2", says="there is no folder none", folder=folder)
     fails("environment", "convert", "sky.exr", "-o", "a.foo", says="for cube maps .dds .ktx .ktx2", folder=folder)
     fails("environment", "convert", "sky.exr", "-o", "a.exr", "--layout", "faces", says="need a pattern", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a_{}.ktx2", says="this file type holds all six", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a.exr", "--in-layout", "hcross",
+          says="256 x 128 pixels, which is the shape of an equirectangular panorama", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a.exr", "--sun", "none/a.json", says="no folder none", folder=folder)
+    fails("environment", "info", "sky.exr", "--thumbnail", "none/a.png", says="there is no folder none", folder=folder)
+    out = run("environment", "--help", folder=folder)[0]
+    assert "tukor environment filter street.hdr" in out and "tukor render" not in out, out
     fails("environment", "convert", "sky.exr", "-o", "a.exr", "--size", "33", says="an even number", folder=folder)
     fails("environment", "filter", "sky.exr", "-o", "a.exr", "--size", "4", "--levels", "9", says="at most 3", folder=folder)
     fails("environment", "filter", "-o", "a.exr", says="IN is missing", folder=folder)

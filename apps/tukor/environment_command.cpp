@@ -141,6 +141,7 @@ SaveOptions saveOptions(const DevelopOptions& develop) {
 }
 
 WorkSource readSource(const SourceArguments& arguments) {
+    if (!arguments.sun.empty()) requireWritable(arguments.sun);
     WorkSource source = loadWorkSource(arguments.in, arguments.layout.inLayout);
     for (const std::string& warning : source.warnings)
         warn(fmt::format("{}: {}", arguments.in, warning));
@@ -262,7 +263,10 @@ int filter(const SourceArguments& from, const TargetArguments& to, const FilterA
 }
 
 int info(const SourceArguments& from, const std::string& thumbnail) {
-    if (!thumbnail.empty()) checkSavable(thumbnail);
+    if (!thumbnail.empty()) {
+        checkSavable(thumbnail);
+        requireWritable(thumbnail);
+    }
     const WorkSource source = loadWorkSource(from.in, from.layout.inLayout);
     fmt::print("{}", describeWork(source));
     if (!thumbnail.empty()) saveImage(thumbnail, contactSheet(source));
@@ -294,8 +298,11 @@ void addSourceAndTarget(CLI::App& command, AllArguments& all, Needs needs) {
     addOptions(command, "Source", all.source);
     command
         .add_option("-o,--output", all.target.out,
-                    ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube map "
-                    "and its levels")
+                    needs == Needs::something
+                        ? ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube "
+                          "map and its levels"
+                        : ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube "
+                          "map and its levels; .json .h for --kind sh")
         ->type_name("OUT")
         ->required();
     addOptions(command, "Target", all.target);
@@ -309,6 +316,12 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     CLI::App* environment =
         program.add_subcommand("environment", "captured light: convert, filter, measure");
     environment->require_subcommand(1);
+    environment->footer(
+        "Examples\n"
+        "  tukor environment info street.hdr --thumbnail sheet.png\n"
+        "  tukor environment convert street.hdr -o street.ktx2 --size 512\n"
+        "  tukor environment filter street.hdr -o chain.ktx2\n"
+        "COMMAND --help tells the options of each");
 
     CLI::App* command =
         environment->add_subcommand("convert", "from one layout, size or file type to another");
@@ -317,7 +330,9 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
         "Examples\n"
         "  tukor environment convert street.hdr -o street_{}.exr --size 512\n"
         "  tukor environment convert sky_{}.png -o sky.exr --to blender\n"
-        "  tukor environment convert studio -o studio.hdr --size 2048");
+        "  tukor environment convert studio -o studio.hdr --size 2048\n"
+        "  tukor environment convert probe.jpg --in-layout ball -o panorama.hdr\n"
+        "  tukor environment convert noon.exr -o sunless.exr --sun sun.json");
     command->callback([&action, all] {
         action = [all] { return convert(all->source, all->target, all->develop); };
     });
@@ -329,6 +344,7 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
     command->footer(
         "Examples\n"
         "  tukor environment filter street.hdr -o chain.ktx2 --size 256 --levels 5\n"
+        "  tukor environment filter street.hdr -o level_{}.exr --kind charlie\n"
         "  tukor environment filter street.hdr -o light.h --kind sh --quantity irradiance\n"
         "  tukor environment filter -o brdf.exr --kind brdf --size 128");
     command->callback([&action, all] {
@@ -341,6 +357,10 @@ void addEnvironmentCommand(CLI::App& program, Action& action) {
         ->add_option("--thumbnail", all->thumbnail,
                      "a contact sheet: three exposures and the six faces")
         ->type_name("OUT");
+    command->footer(
+        "Examples\n"
+        "  tukor environment info street.hdr --thumbnail sheet.png\n"
+        "  tukor environment info sky_{}.png");
     command->callback(
         [&action, all] { action = [all] { return info(all->source, all->thumbnail); }; });
 }

@@ -101,7 +101,13 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
         return source;
     }
     const std::optional<Layout> layout = layoutOfShape(picture.width(), picture.height());
-    if (!layout || (form && layout != layoutOf(*form)))
+    if (layout && form && layout != layoutOf(*form))
+        throw Error(
+            fmt::format("{}: {} x {} pixels, which is the shape of {}, not of what "
+                        "--in-layout says",
+                        nameOrPath, picture.width(), picture.height(),
+                        (*layout == Layout::equirect ? "an " : "a ") + wordFor(*layout)));
+    if (!layout)
         throw Error(
             fmt::format("{}: {} x {} pixels; an equirectangular panorama must be exactly twice "
                         "as wide as high, a cube map a cross of 4 x 3 or 3 x 4 squares or a "
@@ -141,6 +147,9 @@ void checkWorkTarget(const std::string& path, PictureForm form) {
         if (form != PictureForm::faces)
             throw Error(fmt::format(
                 "{}: this file type holds the six faces of a cube map; leave out --layout", path));
+        if (pattern)
+            throw Error(fmt::format(
+                "{}: {{}} stands for the face, but this file type holds all six", path));
         return;
     }
     if (form == PictureForm::faces && !pattern)
@@ -169,9 +178,10 @@ void saveWork(const std::string& path, WorkSource& source, PictureForm form,
                     "{}: a width of {}; a panorama is twice as wide as high, so an even "
                     "number of pixels",
                     path, *size));
-            if (!source.panorama && size && *size < 4 * source.cube->faceSize())
+            // Pixels are means of 3 x 3 look-ups: enough for texels of half a pixel.
+            if (!source.panorama && size && *size < 2 * source.cube->faceSize())
                 saveImage(path,
-                          panoramaFromCube(shrunkCube(*source.cube, std::max(1, *size / 4)), *size),
+                          panoramaFromCube(shrunkCube(*source.cube, std::max(1, *size / 2)), *size),
                           options);
             else if (!source.panorama && size)
                 saveImage(path, panoramaFromCube(*source.cube, *size), options);
