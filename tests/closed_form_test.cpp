@@ -86,6 +86,8 @@ std::vector<Trial> quickTrials() {
     return quick;
 }
 
+INSTANTIATE_TEST_SUITE_P(Spheres, ClosedForm, testing::ValuesIn(quickTrials()), testName);
+
 /// The left edge of the ball at the scale of 640 x 360, where the lamps of a night are slivers of
 /// the pixels: 3.7 here, which is 0.3 in the whole picture, and 12.2 if grazing samples are not
 /// taken again.
@@ -104,8 +106,6 @@ TEST(ClosedFormRims, OfGlassShowTheLampsOfANight) {
     const Comparison comparison = compareImages(rendering.radiance, truth);
     EXPECT_LE(comparison.rmse8, trial.limit) << report(comparison);
 }
-
-INSTANTIATE_TEST_SUITE_P(Spheres, ClosedForm, testing::ValuesIn(quickTrials()), testName);
 
 }  // namespace
 }  // namespace tukor::acceptance

@@ -298,11 +298,9 @@ void addSourceAndTarget(CLI::App& command, AllArguments& all, Needs needs) {
     addOptions(command, "Source", all.source);
     command
         .add_option("-o,--output", all.target.out,
-                    needs == Needs::something
-                        ? ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube "
-                          "map and its levels"
-                        : ".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a cube "
-                          "map and its levels; .json .h for --kind sh")
+                    std::string(".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a "
+                                "cube map and its levels") +
+                        (needs == Needs::something ? "" : "; .json .h for --kind sh"))
         ->type_name("OUT")
         ->required();
     addOptions(command, "Target", all.target);

@@ -6,7 +6,6 @@
 
 #if defined(__linux__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
-#include <cstdint>
 #include <cstdlib>
 #include <new>
 

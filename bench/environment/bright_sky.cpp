@@ -2,6 +2,7 @@
 // the same irradiance. Halves end at 65504.
 //
 // usage: bright_sky WIDTH OUT.exr
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
