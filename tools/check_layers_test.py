@@ -21,8 +21,8 @@ class CheckLayers(unittest.TestCase):
             "src/tukor/base/error.h": "#include <string>\n",
             "src/tukor/image/image.h": '#include <glm/glm.hpp>\n\n#include "tukor/base/error.h"\n',
             "src/tukor/image/image_test.cpp": "#include <gtest/gtest.h>\n",
-            "apps/tukor/main.cpp": '#include "tukor/image/image.h"\n#include "usage.h"\n',
-            "apps/tukor/usage.h": "",
+            "apps/tukor/main.cpp": '#include "tukor/image/image.h"\n#include "messages.h"\n',
+            "apps/tukor/messages.h": "",
         }), [])
 
     def test_finds_includes_down_the_list(self):

@@ -296,9 +296,9 @@ def test_environment_workshop(folder):
 def test_options_page(folder):
     """docs/options.md is what the program writes."""
     page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "options.md")
-    written = run("--markdown-options")[0]
+    written = run("markdown-options")[0]
     with open(page, encoding="utf-8") as file:
-        assert file.read() == written, "docs/options.md is old: tukor --markdown-options > docs/options.md"
+        assert file.read() == written, "docs/options.md is old: tukor markdown-options > docs/options.md"
 
 
 def main():

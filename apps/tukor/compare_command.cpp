@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 
 #include "command.h"
-#include "option_parser.h"
+#include "messages.h"
 #include "tukor/image/compare.h"
 #include "tukor/image/image_file.h"
-#include "usage.h"
 
 namespace tukor {
 namespace {
@@ -42,24 +41,23 @@ int compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-void addCompareCommand(CLI::App& program, Action& action) {
+Command compareCommand() {
     auto arguments = std::make_shared<CompareArguments>();
-    CLI::App* command = program.add_subcommand("compare", "how far two pictures are apart");
-    command->add_option("A", arguments->a, "a picture: .exr .hdr .png .jpg")
-        ->type_name("")
-        ->required();
-    command->add_option("B", arguments->b, "the reference, of the same size")
-        ->type_name("")
-        ->required();
-    addOptions(*command, "Comparison", *arguments);
-    command->footer(
-        "Figures are in 8-bit sRGB codes of the pictures clipped to [0, 1], and relative to B.\n"
-        "\n"
-        "Examples\n"
-        "  tukor compare new.exr reference.exr --heat-map difference.png\n"
-        "  tukor compare new.png reference.png --max-rmse 0.5 || echo worse");
-    command->callback(
-        [&action, arguments] { action = [arguments] { return compare(*arguments); }; });
+    Command command{
+        .name = "compare",
+        .help = "how far two pictures are apart",
+        .footer =
+            "Figures are in 8-bit sRGB codes of the pictures clipped to [0, 1], and relative to "
+            "B.\n"
+            "\n"
+            "Examples\n"
+            "  tukor compare new.exr reference.exr --heat-map difference.png\n"
+            "  tukor compare new.png reference.png --max-rmse 0.5 || echo worse",
+        .options = {required(textOption("A", arguments->a, "", "a picture: .exr .hdr .png .jpg")),
+                    required(textOption("B", arguments->b, "", "the reference, of the same size"))},
+        .run = [arguments] { return compare(*arguments); }};
+    addOptions(command.options, "Comparison", *arguments);
+    return command;
 }
 
 }  // namespace tukor

@@ -9,13 +9,12 @@
 
 #include "command.h"
 #include "interrupt.h"
-#include "option_parser.h"
+#include "messages.h"
 #include "progress_bar.h"
 #include "tukor/app/options.h"
 #include "tukor/base/file.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/texture_chain.h"
-#include "usage.h"
 
 namespace tukor {
 namespace {
@@ -283,84 +282,88 @@ struct AllArguments {
 
 enum class Needs { something, nothing };  // of IN
 
-void addSource(CLI::App& command, AllArguments& all, Needs needs) {
-    command
-        .add_option("IN", all.source.in,
-                    "an image file, a pattern of six (sky_{}.png), a folder, or studio, sky")
-        ->type_name("")
-        ->required(needs == Needs::something);
-    addOptions(command, "Source", all.source.layout);
+void addSource(Command& command, AllArguments& all, Needs needs) {
+    CommandOption in =
+        textOption("IN", all.source.in, "",
+                   "an image file, a pattern of six (sky_{}.png), a folder, or studio, sky");
+    in.required = needs == Needs::something;
+    command.options.push_back(in);
+    addOptions(command.options, "Source", all.source.layout);
 }
 
 /// What reads an environment and writes one.
-void addSourceAndTarget(CLI::App& command, AllArguments& all, Needs needs) {
+void addSourceAndTarget(Command& command, AllArguments& all, Needs needs) {
     addSource(command, all, needs);
-    addOptions(command, "Source", all.source);
-    command
-        .add_option("-o,--output", all.target.out,
-                    std::string(".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a "
-                                "cube map and its levels") +
-                        (needs == Needs::something ? "" : "; .json .h for --kind sh"))
-        ->type_name("OUT")
-        ->required();
-    addOptions(command, "Target", all.target);
-    addOptions(command, "Development", all.develop);
+    addOptions(command.options, "Source", all.source);
+    command.options.push_back(required(
+        textOption("-o,--output", all.target.out, "OUT",
+                   std::string(".exr .hdr .png .jpg, with {} for six files; .dds .ktx .ktx2 for a "
+                               "cube map and its levels") +
+                       (needs == Needs::something ? "" : "; .json .h for --kind sh"))));
+    addOptions(command.options, "Target", all.target);
+    addOptions(command.options, "Development", all.develop);
+}
+
+Command convertCommand() {
+    auto all = std::make_shared<AllArguments>();
+    Command command{.name = "convert",
+                    .help = "from one layout, size or file type to another",
+                    .footer =
+                        "Examples\n"
+                        "  tukor environment convert street.hdr -o street_{}.exr --size 512\n"
+                        "  tukor environment convert sky_{}.png -o sky.exr --to blender\n"
+                        "  tukor environment convert studio -o studio.hdr --size 2048\n"
+                        "  tukor environment convert probe.jpg --in-layout ball -o panorama.hdr\n"
+                        "  tukor environment convert noon.exr -o sunless.exr --sun sun.json",
+                    .run = [all] { return convert(all->source, all->target, all->develop); }};
+    addSourceAndTarget(command, *all, Needs::something);
+    return command;
+}
+
+Command filterCommand() {
+    auto all = std::make_shared<AllArguments>();
+    Command command{
+        .name = "filter",
+        .help = "for rough surfaces, diffuse light and backgrounds",
+        .footer =
+            "Examples\n"
+            "  tukor environment filter street.hdr -o chain.ktx2 --size 256 --levels 5\n"
+            "  tukor environment filter street.hdr -o level_{}.exr --kind charlie\n"
+            "  tukor environment filter street.hdr -o light.h --kind sh --quantity irradiance\n"
+            "  tukor environment filter -o brdf.exr --kind brdf --size 128",
+        .run = [all] { return filter(all->source, all->target, all->filter, all->develop); }};
+    addOptions(command.options, "Filter", all->filter);
+    addSourceAndTarget(command, *all, Needs::nothing);  // --kind brdf
+    return command;
+}
+
+Command infoCommand() {
+    auto all = std::make_shared<AllArguments>();
+    Command command{.name = "info",
+                    .help = "size, layout, range, sun and harmonics",
+                    .footer =
+                        "Examples\n"
+                        "  tukor environment info street.hdr --thumbnail sheet.png\n"
+                        "  tukor environment info sky_{}.png",
+                    .run = [all] { return info(all->source, all->thumbnail); }};
+    addSource(command, *all, Needs::something);
+    command.options.push_back(textOption("--thumbnail", all->thumbnail, "OUT",
+                                         "a contact sheet: three exposures and the six faces"));
+    return command;
 }
 
 }  // namespace
 
-void addEnvironmentCommand(CLI::App& program, Action& action) {
-    auto all = std::make_shared<AllArguments>();
-    CLI::App* environment =
-        program.add_subcommand("environment", "captured light: convert, filter, measure");
-    environment->require_subcommand(1);
-    environment->footer(
-        "Examples\n"
-        "  tukor environment info street.hdr --thumbnail sheet.png\n"
-        "  tukor environment convert street.hdr -o street.ktx2 --size 512\n"
-        "  tukor environment filter street.hdr -o chain.ktx2\n"
-        "COMMAND --help tells the options of each");
-
-    CLI::App* command =
-        environment->add_subcommand("convert", "from one layout, size or file type to another");
-    addSourceAndTarget(*command, *all, Needs::something);
-    command->footer(
-        "Examples\n"
-        "  tukor environment convert street.hdr -o street_{}.exr --size 512\n"
-        "  tukor environment convert sky_{}.png -o sky.exr --to blender\n"
-        "  tukor environment convert studio -o studio.hdr --size 2048\n"
-        "  tukor environment convert probe.jpg --in-layout ball -o panorama.hdr\n"
-        "  tukor environment convert noon.exr -o sunless.exr --sun sun.json");
-    command->callback([&action, all] {
-        action = [all] { return convert(all->source, all->target, all->develop); };
-    });
-
-    command =
-        environment->add_subcommand("filter", "for rough surfaces, diffuse light and backgrounds");
-    addOptions(*command, "Filter", all->filter);
-    addSourceAndTarget(*command, *all, Needs::nothing);  // --kind brdf
-    command->footer(
-        "Examples\n"
-        "  tukor environment filter street.hdr -o chain.ktx2 --size 256 --levels 5\n"
-        "  tukor environment filter street.hdr -o level_{}.exr --kind charlie\n"
-        "  tukor environment filter street.hdr -o light.h --kind sh --quantity irradiance\n"
-        "  tukor environment filter -o brdf.exr --kind brdf --size 128");
-    command->callback([&action, all] {
-        action = [all] { return filter(all->source, all->target, all->filter, all->develop); };
-    });
-
-    command = environment->add_subcommand("info", "size, layout, range, sun and harmonics");
-    addSource(*command, *all, Needs::something);
-    command
-        ->add_option("--thumbnail", all->thumbnail,
-                     "a contact sheet: three exposures and the six faces")
-        ->type_name("OUT");
-    command->footer(
-        "Examples\n"
-        "  tukor environment info street.hdr --thumbnail sheet.png\n"
-        "  tukor environment info sky_{}.png");
-    command->callback(
-        [&action, all] { action = [all] { return info(all->source, all->thumbnail); }; });
+Command environmentCommand() {
+    return {.name = "environment",
+            .help = "captured light: convert, filter, measure",
+            .footer =
+                "Examples\n"
+                "  tukor environment info street.hdr --thumbnail sheet.png\n"
+                "  tukor environment convert street.hdr -o street.ktx2 --size 512\n"
+                "  tukor environment filter street.hdr -o chain.ktx2\n"
+                "COMMAND --help tells the options of each",
+            .commands = {convertCommand(), filterCommand(), infoCommand()}};
 }
 
 }  // namespace tukor

@@ -80,17 +80,16 @@ void printJson() {
 
 }  // namespace
 
-void addMaterialsCommand(CLI::App& program, Action& action) {
-    CLI::App* command =
-        program.add_subcommand("materials", "the named materials, their figures and sources");
+Command materialsCommand() {
     auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "as JSON: eta and k for R, G, B, sigmaA in 1/m");
-    command->callback([&action, json] {
-        action = [json] {
+    return {
+        .name = "materials",
+        .help = "the named materials, their figures and sources",
+        .options = {flagOption("--json", *json, "as JSON: eta and k for R, G, B, sigmaA in 1/m")},
+        .run = [json] {
             *json ? printJson() : printTable();
             return 0;
-        };
-    });
+        }};
 }
 
 }  // namespace tukor

@@ -7,12 +7,11 @@
 
 #include "command.h"
 #include "interrupt.h"
-#include "option_parser.h"
+#include "messages.h"
 #include "progress_bar.h"
 #include "tukor/app/option_table.h"
 #include "tukor/app/picture.h"
 #include "tukor/app/session.h"
-#include "usage.h"
 
 namespace tukor {
 namespace {
@@ -67,36 +66,39 @@ int render(const RenderArguments& arguments) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, Action& action) {
+Command renderCommand() {
     auto arguments = std::make_shared<RenderArguments>();
-    CLI::App* command = program.add_subcommand("render", "a picture of models into a file");
-    addSessionOptions(*command, arguments->session);
-    command
-        ->add_option("-o,--output", arguments->out,
-                     ".png or .jpg (tone mapped, sRGB), .exr or .hdr (linear radiance)")
-        ->type_name("OUT")
-        ->group("Output");
-    command->add_flag("--quiet", arguments->quiet, "no progress and no warnings")->group("Output");
-    command
-        ->add_flag("--print-options", arguments->printOptions,
-                   "print every option as JSON and render nothing")
-        ->group("Output");
-    command->footer(
-        "Examples\n"
-        "  tukor render sphere --material glass --environment sky -o glass.png\n"
-        "  tukor render ring.glb --material 'stone*=diamond' --material 'band=gold' -o ring.jpg\n"
-        "  tukor render torus-knot --eye -1,0,4 --fov 30 --size 640x360 --samples 64 -o knot.exr\n"
-        "  tukor render sphere --fidelity single -o textbook.png   (one reflection, one "
-        "refraction)");
-    command->callback([&action, arguments] {
-        if (arguments->session.subject.models.empty()) {
-            throw CLI::ValidationError("MODEL", "is missing; a file or a built-in shape expected");
-        }
-        if (arguments->out.empty() && !arguments->printOptions) {
-            throw CLI::ValidationError("-o OUT", "is missing; where should the picture go?");
-        }
-        action = [arguments] { return render(*arguments); };
-    });
+    Command command{
+        .name = "render",
+        .help = "a picture of models into a file",
+        .footer =
+            "Examples\n"
+            "  tukor render sphere --material glass --environment sky -o glass.png\n"
+            "  tukor render ring.glb --material 'stone*=diamond' --material 'band=gold' -o "
+            "ring.jpg\n"
+            "  tukor render torus-knot --eye -1,0,4 --fov 30 --size 640x360 --samples 64 -o "
+            "knot.exr\n"
+            "  tukor render sphere --fidelity single -o textbook.png   (one reflection, one "
+            "refraction)",
+        .check =
+            [arguments] {
+                if (arguments->session.subject.models.empty())
+                    throw Error("MODEL: is missing; a file or a built-in shape expected");
+                if (arguments->out.empty() && !arguments->printOptions)
+                    throw Error("-o OUT: is missing; where should the picture go?");
+            },
+        .run = [arguments] { return render(*arguments); }};
+    addSessionOptions(command.options, arguments->session);
+    for (CommandOption& option :
+         std::vector{textOption("-o,--output", arguments->out, "OUT",
+                                ".png or .jpg (tone mapped, sRGB), .exr or .hdr (linear radiance)"),
+                     flagOption("--quiet", arguments->quiet, "no progress and no warnings"),
+                     flagOption("--print-options", arguments->printOptions,
+                                "print every option as JSON and render nothing")}) {
+        option.heading = "Output";
+        command.options.push_back(std::move(option));
+    }
+    return command;
 }
 
 }  // namespace tukor

@@ -115,7 +115,7 @@ std::string jsonFromOptions(const SessionOptions& options) {
 std::string markdownOfOptions() {
     std::string page =
         "# Options of `tukor render` and `tukor view`\n\n"
-        "Written by `tukor --markdown-options`; do not edit by hand.\n";
+        "Written by `tukor markdown-options`; do not edit by hand.\n";
     std::string heading;
     for (const OptionRow& row : optionRows({})) {
         if (row.heading != heading) {

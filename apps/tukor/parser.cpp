@@ -1,13 +1,17 @@
-#include "usage.h"
+#include "parser.h"
 
 #include <cstdio>
-#include <set>
+#include <memory>
 #include <sstream>
 #include <utility>
 
+// All of it is headers, half a minute to compile: this is the only file that includes it.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "messages.h"
 #include "tukor/app/suggestion.h"
+#include "tukor/app/version.h"
 #include "tukor/base/spelling.h"
 
 namespace tukor {
@@ -125,18 +129,14 @@ std::string aboutLeftovers(const CLI::App& program, const CLI::App& command) {
                                nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
         }
         std::vector<std::string> names;
-        for (const CLI::App* sub : command.get_subcommands({})) names.push_back(sub->get_name());
+        for (const CLI::App* sub : command.get_subcommands({})) {
+            if (!sub->get_group().empty()) names.push_back(sub->get_name());
+        }
         if (names.empty()) return fmt::format("unexpected argument '{}'", argument);
         const std::vector<std::string_view> known(names.begin(), names.end());
         return fmt::format("command {}", unknownName(argument, known));
     }
     return {};
-}
-
-}  // namespace
-
-std::shared_ptr<CLI::Formatter> helpFormatter() {
-    return std::make_shared<HelpFormatter>();
 }
 
 int reportParseEnd(const CLI::App& program, const CLI::ParseError& end) {
@@ -148,6 +148,8 @@ int reportParseEnd(const CLI::App& program, const CLI::ParseError& end) {
     return kExitUsage;
 }
 
+/// Arguments as the library takes them: a value like -.5,0,1 after an option is joined to it by
+/// '='.
 std::vector<std::string> joinedArguments(int argc, const char* const* argv) {
     std::vector<std::string> arguments;
     for (int i = 1; i < argc; ++i) {
@@ -164,9 +166,73 @@ std::vector<std::string> joinedArguments(int argc, const char* const* argv) {
     return arguments;
 }
 
-void warn(std::string_view message) {
-    static std::set<std::string, std::less<>> said;
-    if (said.emplace(message).second) fmt::print(stderr, "tukor: warning: {}\n", message);
+void addOption(CLI::App& app, const CommandOption& option) {
+    const bool isPositional = !option.names.starts_with('-');
+    const auto read = [&option](const std::vector<std::string>& texts) {
+        try {
+            option.read(texts);
+        } catch (const Error& error) {
+            throw CLI::ValidationError(option.names, error.what());
+        }
+    };
+    CLI::Option* added = nullptr;
+    if (option.takes == CommandOption::Takes::nothing) {
+        added = app.add_flag_callback(
+            option.names, [read] { read({}); }, option.help);
+    } else if (isPositional && option.takes == CommandOption::Takes::one) {
+        added = app.add_option_function<std::string>(
+            option.names, [read](const std::string& text) { read({text}); }, option.help);
+    } else {
+        added = app.add_option_function<std::vector<std::string>>(option.names, read, option.help);
+    }
+    if (!isPositional && option.takes == CommandOption::Takes::one) added->allow_extra_args(false);
+    if (option.takes != CommandOption::Takes::nothing) added->type_name(option.usage);
+    added->default_str(option.defaultText)->required(option.required);
+    if (!option.heading.empty()) added->group(option.heading);
+}
+
+/// `chosen` becomes the innermost command that the arguments name.
+void addCommand(CLI::App& app, const Command& command, const Command*& chosen) {
+    for (const CommandOption& option : command.options) addOption(app, option);
+    for (const Command& child : command.commands) {
+        CLI::App* added = app.add_subcommand(child.name, child.help);
+        if (child.isHidden) added->group("");
+        addCommand(*added, child, chosen);
+    }
+    app.footer(command.footer);
+    if (!command.run) return;  // one of its commands must follow
+    app.callback([&] {
+        try {
+            if (command.check) command.check();
+        } catch (const Error& error) {
+            throw CLI::ValidationError(error.what(), CLI::ExitCodes::ValidationError);
+        }
+        chosen = &command;
+    });
+}
+
+}  // namespace
+
+int runCommandLine(const Command& program, int argc, const char* const* argv) {
+    CLI::App app{program.help, program.name};
+    app.formatter(std::make_shared<HelpFormatter>());
+    app.set_help_flag("-h,--help", "this text; also of every command");
+    app.set_version_flag("--version", fmt::format("{} {}", program.name, versionText()),
+                         "the version and the commit");
+    const Command* chosen = nullptr;
+    addCommand(app, program, chosen);
+    try {
+        const auto arguments = joinedArguments(argc, argv);
+        // CLI11 takes them last first
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::ParseError& end) {
+        return reportParseEnd(app, end);
+    }
+    if (chosen == nullptr) {
+        fmt::print(stderr, "{}", app.help());
+        return kExitUsage;
+    }
+    return chosen->run();
 }
 
 }  // namespace tukor
