@@ -30,6 +30,7 @@ function(tukor_module name)
         target_link_libraries(${target} PUBLIC ${arg_DEPENDS} ${arg_PUBLIC}
                               PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:tukor_settings>)
         target_compile_features(${target} PUBLIC cxx_std_20)
+        tukor_use_headers(${target})
         target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${headers})
     else()
         add_library(${target} INTERFACE)

@@ -151,8 +151,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Renderers,
                                          Subject{"teapot", "glass", 0.995, true},
                                          Subject{"pebble", "water", 0.995, true},
                                          Subject{"ring", "gold", 0.995, true}),
-                         [](const testing::TestParamInfo<Subject>& info) {
-                             std::string name = info.param.model + "_" + info.param.material;
+                         [](const testing::TestParamInfo<Subject>& tested) {
+                             std::string name = tested.param.model + "_" + tested.param.material;
                              for (char& c : name)
                                  if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                              return name;

@@ -49,7 +49,7 @@ TEST(MatchesPattern, KnowsStarsAndQuestionMarks) {
 TEST(MatchesPattern, TakesNoExponentialTime) {
     std::string pattern;
     for (int i = 0; i < 1000; ++i) pattern += "*a";
-    EXPECT_FALSE(matchesPattern(std::string(5000, 'a') + "b", pattern));
+    EXPECT_FALSE(matchesPattern(std::string(5000, 'a').append("b"), pattern));
 }
 
 TEST(AssignMaterials, AssignsToAllOrByPartOrMaterialNameAndTheLaterWins) {
