@@ -24,6 +24,15 @@ TUKOR_FN Footprint thinFootprint() {
     return f;
 }
 
+/// A ray that may end up anywhere about `d`: half a radian about it.
+TUKOR_FN Footprint wideFootprint(vec3 d) {
+    Footprint f = thinFootprint();
+    vec3 side = abs(d.x) < 0.6f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
+    f.directionX = 0.5f * normalize(cross(d, side));
+    f.directionY = cross(d, f.directionX);
+    return f;
+}
+
 /// A camera ray's: all rays leave the eye. `direction` is not normalised and changes by `dx` and
 /// `dy` from one sample to the next.
 TUKOR_FN Footprint cameraFootprint(vec3 direction, vec3 dx, vec3 dy) {

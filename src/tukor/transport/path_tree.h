@@ -112,7 +112,8 @@ TUKOR_FN Branch refractedBranch(Branch at, NormalChange change, Encounter met, S
 }
 
 /// The levels below exact: look-ups at the first surface (lecture rows 10 and 11), or reflection at
-/// the first and refraction, whole, at the second. `at` lies on the surface.
+/// the first and refraction, whole, at the second. `at` lies on the surface. What is totally
+/// reflected there leaves somewhere else, so it is looked up widely about its direction.
 TUKOR_FN Deposits scatterOnLadder(TUKOR_INOUT(Tree) tree, Branch at, NormalChange change, int kind,
                                   Encounter met, Scattering s, int fidelity) {
     Deposits deposits = noDeposits();
@@ -123,7 +124,9 @@ TUKOR_FN Deposits scatterOnLadder(TUKOR_INOUT(Tree) tree, Branch at, NormalChang
         s.R = vec3(1.0f);
     }
     if (first || s.T <= 0.0f) {
-        addDeposit(deposits, depositOf(reflectedBranch(at, change, met, s)));
+        Branch reflected = reflectedBranch(at, change, met, s);
+        if (!first && kind == kDielectric) reflected.footprint = wideFootprint(reflected.direction);
+        addDeposit(deposits, depositOf(reflected));
     }
     if (s.T > 0.0f) {
         Branch refracted = refractedBranch(at, change, met, s);
