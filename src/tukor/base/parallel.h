@@ -2,6 +2,8 @@
 #pragma once
 #include <functional>
 
+#include "tukor/base/progress.h"
+
 namespace tukor {
 
 /// Calls `body(begin, end)` on disjoint pieces of [begin, end), each at most `grain` long where
@@ -18,6 +20,26 @@ void parallelFor(int begin, int end, int, const Body& body) {
 #else
 void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body);
 #endif
+
+/// The same, telling `progress` how far it is. False where it asked to stop: the rest was not
+/// visited.
+template <class Body>
+[[nodiscard]] bool parallelFor(int begin, int end, int grain, const Progress& progress,
+                               const Body& body) {
+    if (!progress) {
+        parallelFor(begin, end, grain, body);
+        return true;
+    }
+    constexpr int kSteps = 40;
+    for (int i = 0; i < kSteps; ++i) {
+        const auto edge = [&](int step) {
+            return begin + static_cast<int>(static_cast<long long>(end - begin) * step / kSteps);
+        };
+        parallelFor(edge(i), edge(i + 1), grain, body);
+        if (!progress(static_cast<float>(i + 1) / kSteps)) return false;
+    }
+    return true;
+}
 
 /// How many threads parallelFor uses from now on; 0 means all cores.
 void setThreadCount(int threads);

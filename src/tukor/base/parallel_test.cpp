@@ -36,6 +36,28 @@ TEST(ParallelFor, RethrowsTheErrorOfABody) {
                  Error);
 }
 
+TEST(ParallelFor, TellsHowFarItIsAndStopsWhenAsked) {
+    std::vector<std::atomic<int>> visits(100);
+    const auto visit = [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) ++visits[static_cast<std::size_t>(i)];
+    };
+    float last = 0.0f;
+    EXPECT_TRUE(parallelFor(0, 100, 7, Progress([&](float fraction) {
+                                EXPECT_GT(fraction, last);
+                                last = fraction;
+                                return true;
+                            }),
+                            visit));
+    EXPECT_EQ(last, 1.0f);
+    for (const auto& count : visits) EXPECT_EQ(count, 1);
+    EXPECT_FALSE(
+        parallelFor(0, 100, 7, Progress([](float fraction) { return fraction < 0.5f; }), visit));
+    EXPECT_EQ(visits[10], 2);
+    EXPECT_EQ(visits[90], 1);
+    EXPECT_TRUE(parallelFor(0, 100, 7, Progress(), visit));
+    EXPECT_EQ(visits[90], 2);
+}
+
 TEST(ParallelFor, TakesTheThreadCountItIsTold) {
     setThreadCount(1);
     EXPECT_EQ(threadCount(), 1);

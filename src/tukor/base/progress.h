@@ -11,4 +11,11 @@ namespace tukor {
 /// watching.
 using Progress = std::function<bool(float fraction)>;
 
+/// The progress of a piece of the work, which takes it from one fraction to another. `whole` must
+/// outlive it.
+[[nodiscard]] inline Progress partOf(const Progress& whole, float from, float to) {
+    if (!whole) return {};
+    return [&whole, from, to](float fraction) { return whole(from + (to - from) * fraction); };
+}
+
 }  // namespace tukor

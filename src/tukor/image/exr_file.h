@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tukor/base/progress.h"
 #include "tukor/image/image.h"
 
 namespace tukor {
@@ -34,12 +35,16 @@ struct ImageLayer {
 };
 
 /// ZIP-compressed scanlines. All layers have one size; channels are `R`, `G`, `B` (and `A`) or
-/// `layer.R` and so on. `metadata` becomes string attributes.
+/// `layer.R` and so on. `metadata` becomes string attributes. No bytes where `progress` asked to
+/// stop.
 [[nodiscard]] std::vector<std::byte> encodeExr(
     std::span<const ImageLayer> layers, ExrPixels pixels,
-    std::span<const std::pair<std::string, std::string>> metadata);
+    std::span<const std::pair<std::string, std::string>> metadata, const Progress& progress = {});
 [[nodiscard]] std::vector<std::byte> encodeExr(
     const Image& image, ExrPixels pixels,
-    std::span<const std::pair<std::string, std::string>> metadata);
+    std::span<const std::pair<std::string, std::string>> metadata, const Progress& progress = {});
+
+/// Lets the library decode and encode on several threads; the bytes are the same.
+void startExrThreads();
 
 }  // namespace tukor

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <mutex>
 #include <optional>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -19,7 +18,6 @@
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
-#include "tukor/base/parallel.h"
 #include "tukor/image/exr_check.h"
 #include "tukor/image/exr_file.h"
 
@@ -29,9 +27,6 @@ namespace {
 
 using Imath::Box2i;
 using Imath::V2i;
-
-// The library keeps two chunks for each thread, of up to 256 MB each: not one per core.
-constexpr int kMostThreads = 4;
 
 class MemoryInput : public Imf::IStream {
 public:
@@ -234,16 +229,8 @@ void convertPrimaries(Image& image, const Imf::Header& header) {
     for (glm::vec3& pixel : image.pixels()) pixel = rec709FromTheirs * pixel;
 }
 
-void startThreads() {
-    static std::once_flag once;
-    std::call_once(once, [] {
-        const int threads = std::min(threadCount(), kMostThreads);
-        Imf::setGlobalThreadCount(threads > 1 ? threads : 0);
-    });
-}
-
 Image decode(std::span<const std::byte> bytes, std::string_view name) {
-    startThreads();
+    startExrThreads();
     MemoryInput stream(bytes, name);
     Imf::MultiPartInputFile file(stream, Imf::globalThreadCount(), false);
     const Source source = findSource(file, name);

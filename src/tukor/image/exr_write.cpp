@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/parallel.h"
 #include "tukor/image/exr_file.h"
 
 namespace tukor {
@@ -42,16 +43,21 @@ public:
     Planes(const Image& image, ExrPixels pixels) : image_(image), pixels_(pixels) {
         if (pixels == ExrPixels::full) return;
         const bool alpha = !image.alpha.empty();
-        halves_.reserve(image.pixels().size() * 4);
-        for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-            for (int c = 0; c < 3; ++c) {
-                const float value = image.pixels()[i][c];  // NaN stays NaN, too large does not
-                halves_.push_back(value > HALF_MAX    ? half(HALF_MAX)
-                                  : value < -HALF_MAX ? half(-HALF_MAX)
-                                                      : half(value));
+        halves_.resize(image.pixels().size() * 4);
+        const auto width = static_cast<std::size_t>(image.width());
+        parallelFor(0, image.height(), 32, [&](int begin, int end) {
+            half* to = halves_.data() + 4 * width * static_cast<std::size_t>(begin);
+            for (std::size_t i = width * static_cast<std::size_t>(begin);
+                 i < width * static_cast<std::size_t>(end); ++i) {
+                for (int c = 0; c < 3; ++c) {
+                    const float value = image.pixels()[i][c];  // NaN stays NaN, too large does not
+                    *to++ = value > HALF_MAX    ? half(HALF_MAX)
+                            : value < -HALF_MAX ? half(-HALF_MAX)
+                                                : half(value);
+                }
+                *to++ = half(alpha ? image.alpha[i] : 1.0f);
             }
-            halves_.push_back(half(alpha ? image.alpha[i] : 1.0f));
-        }
+        });
     }
 
     /// Channel 0, 1, 2 or, for alpha, 3.
@@ -80,7 +86,8 @@ private:
 }  // namespace
 
 std::vector<std::byte> encodeExr(std::span<const ImageLayer> layers, ExrPixels pixels,
-                                 std::span<const std::pair<std::string, std::string>> metadata) {
+                                 std::span<const std::pair<std::string, std::string>> metadata,
+                                 const Progress& progress) {
     TUKOR_ASSERT(!layers.empty() && !layers[0].image.empty());
     const int width = layers[0].image.width();
     const int height = layers[0].image.height();
@@ -102,19 +109,26 @@ std::vector<std::byte> encodeExr(std::span<const ImageLayer> layers, ExrPixels p
             frame.insert(name, plane.slice(channel));
         }
     }
+    startExrThreads();
     MemoryOutput stream;
     {
         Imf::OutputFile file(stream, header);
         file.setFrameBuffer(frame);
-        file.writePixels(height);
+        constexpr int kRows = 64;  // whole chunks of 16, one for each thread
+        for (int row = 0; row < height; row += kRows) {
+            if (progress && !progress(static_cast<float>(row) / static_cast<float>(height)))
+                return {};
+            file.writePixels(std::min(kRows, height - row));
+        }
     }
     return stream.take();
 }
 
 std::vector<std::byte> encodeExr(const Image& image, ExrPixels pixels,
-                                 std::span<const std::pair<std::string, std::string>> metadata) {
+                                 std::span<const std::pair<std::string, std::string>> metadata,
+                                 const Progress& progress) {
     const ImageLayer layer{"", image};
-    return encodeExr(std::span(&layer, 1), pixels, metadata);
+    return encodeExr(std::span(&layer, 1), pixels, metadata, progress);
 }
 
 }  // namespace tukor

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tukor/base/options.h"
+#include "tukor/base/progress.h"
 #include "tukor/image/display.h"
 #include "tukor/image/exr_file.h"
 #include "tukor/image/image.h"
@@ -65,9 +66,11 @@ void describe(SaveOptions& o, Visitor&& field) {
 void saveImage(const std::filesystem::path& path, const Image& image,
                const SaveOptions& options = {});
 
-/// The bytes of such a file; `extension` in lower case with its dot.
+/// The bytes of such a file; `extension` in lower case with its dot. None where `progress` asked to
+/// stop.
 [[nodiscard]] std::vector<std::byte> encodeImage(const Image& image, const std::string& extension,
-                                                 const SaveOptions& options = {});
+                                                 const SaveOptions& options = {},
+                                                 const Progress& progress = {});
 
 /// Throws the Error that saveImage would for an extension it does not know: ask before rendering.
 void checkSavable(const std::filesystem::path& path);

@@ -29,27 +29,29 @@ std::uint32_t code(float value, float most) {
     return static_cast<std::uint32_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * most));
 }
 
-std::vector<std::byte> exr(const Image& image, const SaveOptions& options) {
-    return encodeExr(image, options.exrPixels, options.metadata);
+std::vector<std::byte> exr(const Image& image, const SaveOptions& options,
+                           const Progress& progress) {
+    return encodeExr(image, options.exrPixels, options.metadata, progress);
 }
 
-std::vector<std::byte> hdr(const Image& image, const SaveOptions& options) {
+std::vector<std::byte> hdr(const Image& image, const SaveOptions& options, const Progress&) {
     return encodeRadiance(image, options.metadata);
 }
 
-std::vector<std::byte> png(const Image& image, const SaveOptions& options) {
+std::vector<std::byte> png(const Image& image, const SaveOptions& options, const Progress&) {
     const int channels = image.alpha.empty() ? 3 : 4;
     const int bytesPerChannel = options.pngDepth == PngDepth::bits16 ? 2 : 1;
     return encodePng(encodePixels(image, options, channels, bytesPerChannel), options.metadata);
 }
 
-std::vector<std::byte> jpeg(const Image& image, const SaveOptions& options) {
+std::vector<std::byte> jpeg(const Image& image, const SaveOptions& options, const Progress&) {
     return encodeJpeg(encodePixels(image, options, 3, 1), options.jpegQuality, options.metadata);
 }
 
 struct Format {
     std::string_view extension;
-    std::vector<std::byte> (*encode)(const Image& image, const SaveOptions& options);
+    std::vector<std::byte> (*encode)(const Image& image, const SaveOptions& options,
+                                     const Progress& progress);
 };
 
 constexpr Format kFormats[] = {
@@ -102,13 +104,13 @@ EncodedPixels encodePixels(const Image& image, const SaveOptions& options, int c
 }
 
 std::vector<std::byte> encodeImage(const Image& image, const std::string& extension,
-                                   const SaveOptions& options) {
+                                   const SaveOptions& options, const Progress& progress) {
     TUKOR_ASSERT(!image.empty());
     const Format* format = findFormat(extension);
     if (!format)
         throw Error(fmt::format("no image format is called `{}`; known are {}", extension,
                                 knownExtensions()));
-    return format->encode(image, options);
+    return format->encode(image, options, progress);
 }
 
 void checkSavable(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tukor/base/parallel.h"
 #include "tukor/image/radiance_file.h"
 
 namespace tukor {
@@ -72,20 +73,28 @@ std::vector<std::byte> encodeRadiance(
 
     const auto width = static_cast<std::size_t>(image.width());
     const bool coded = width >= 8 && width <= 32767;
-    std::array<std::vector<std::byte>, 4> planes;
-    for (auto& plane : planes) plane.resize(width);
-    for (int row = 0; row < image.height(); ++row) {
-        if (coded)
-            for (std::size_t byte : {std::size_t{2}, std::size_t{2}, width >> 8, width & 255})
-                out.push_back(static_cast<std::byte>(byte));
-        for (std::size_t column = 0; column < width; ++column) {
-            const auto rgbe = rgbeOf(image.at(static_cast<int>(column), row));
-            if (!coded) out.insert(out.end(), rgbe.begin(), rgbe.end());
-            for (std::size_t c = 0; c < 4; ++c) planes[c][column] = rgbe[c];
+    std::vector<std::vector<std::byte>> rows(static_cast<std::size_t>(image.height()));
+    parallelFor(0, image.height(), 16, [&](int begin, int end) {
+        std::array<std::vector<std::byte>, 4> planes;
+        for (auto& plane : planes) plane.resize(width);
+        for (int row = begin; row < end; ++row) {
+            std::vector<std::byte>& line = rows[static_cast<std::size_t>(row)];
+            if (coded)
+                for (std::size_t byte : {std::size_t{2}, std::size_t{2}, width >> 8, width & 255})
+                    line.push_back(static_cast<std::byte>(byte));
+            for (std::size_t column = 0; column < width; ++column) {
+                const auto rgbe = rgbeOf(image.at(static_cast<int>(column), row));
+                if (!coded) line.insert(line.end(), rgbe.begin(), rgbe.end());
+                for (std::size_t c = 0; c < 4; ++c) planes[c][column] = rgbe[c];
+            }
+            if (coded)
+                for (const auto& plane : planes) appendRuns(line, plane);
         }
-        if (coded)
-            for (const auto& plane : planes) appendRuns(out, plane);
-    }
+    });
+    std::size_t size = out.size();
+    for (const auto& line : rows) size += line.size();
+    out.reserve(size);
+    for (const auto& line : rows) out.insert(out.end(), line.begin(), line.end());
     return out;
 }
 
