@@ -1,20 +1,8 @@
 // `tukor environment`: captured light converted, filtered and measured.
-#include <cmath>
-#include <filesystem>
 #include <memory>
-#include <numbers>
-#include <optional>
-
-#include <fmt/format.h>
 
 #include "command.h"
-#include "interrupt.h"
-#include "messages.h"
-#include "progress_bar.h"
-#include "tukor/app/options.h"
-#include "tukor/base/file.h"
-#include "tukor/environment/environment_work.h"
-#include "tukor/environment/texture_chain.h"
+#include "environment_actions.h"
 
 namespace tukor {
 namespace {
@@ -29,34 +17,9 @@ constexpr std::array<std::pair<PictureForm, std::string_view>, 8> kFormSpellings
      {PictureForm::octahedral, "octahedral"},
      {PictureForm::ball, "ball"}}};
 
-/// How what is read is laid out.
-struct LayoutArguments {
-    std::optional<PictureForm> inLayout;
-};
-
-/// What is read, and how it is turned.
-struct SourceArguments {
-    std::string in;
-    LayoutArguments layout;
-    Orientation from = Orientation::opengl;
-    float rotateDegrees = 0.0f;
-    std::string sun;
-};
-
-/// What is written.
-struct TargetArguments {
-    std::string out;
-    std::optional<PictureForm> layout;
-    std::optional<int> size;
-    Orientation to = Orientation::opengl;
-    TexelFormat texels = TexelFormat::rgba16f;
-    Supercompression compression = Supercompression::none;
-};
-
 constexpr std::array<std::pair<Supercompression, std::string_view>, 2> kCompressionSpellings = {
     {{Supercompression::none, "none"}, {Supercompression::zstd, "zstd"}}};
 
-enum class FilterKind { ggx, charlie, irradiance, blur, sh, brdf };
 constexpr std::array<std::pair<FilterKind, std::string_view>, 6> kKindSpellings = {
     {{FilterKind::ggx, "ggx"},
      {FilterKind::charlie, "charlie"},
@@ -64,19 +27,10 @@ constexpr std::array<std::pair<FilterKind, std::string_view>, 6> kKindSpellings 
      {FilterKind::blur, "blur"},
      {FilterKind::sh, "sh"},
      {FilterKind::brdf, "brdf"}}};
-enum class Quantity { radiance, irradiance };
 constexpr std::array<std::pair<Quantity, std::string_view>, 2> kQuantitySpellings = {
     {{Quantity::radiance, "radiance"}, {Quantity::irradiance, "irradiance"}}};
 
-struct FilterArguments {
-    FilterKind kind = FilterKind::ggx;
-    int levels = 5;
-    RoughnessScale scale = RoughnessScale::filament;
-    float blurDegrees = 5.0f;
-    int bands = 3;
-    HarmonicWindow window = HarmonicWindow::none;
-    Quantity quantity = Quantity::radiance;
-};
+}  // namespace
 
 template <OptionsOf<LayoutArguments> Options, class Visitor>
 void describe(Options& o, Visitor&& field) {
@@ -86,8 +40,11 @@ void describe(Options& o, Visitor&& field) {
 
 template <OptionsOf<SourceArguments> Options, class Visitor>
 void describe(Options& o, Visitor&& field) {
-    field("from", o.from, Spellings<Orientation>(kOrientationSpellings),
-          "the program that IN is oriented for: what it sees in the middle of a panorama");
+    field(
+        "from", o.from, Spellings<Orientation>(kOrientationSpellings),
+        "the program that IN is oriented for. Its panoramas have in the middle, in glTF's axes: "
+        "opengl and unreal -Z, blender and three +X, openexr and filament +Z. Its cube maps are as "
+        "OpenGL's, but three's mirrored, unreal's with Z up, openexr's upright seen from inside");
     field("rotate", o.rotateDegrees, Measure<float>{"DEG", {-360.0f, 360.0f}},
           "turn about +Y, counter-clockwise seen from above");
     field("sun", o.sun, Placeholder{"FILE"},
@@ -130,147 +87,7 @@ void describe(Options& o, Visitor&& field) {
     field("quantity", o.quantity, Spellings<Quantity>(kQuantitySpellings), "of --kind sh");
 }
 
-SaveOptions saveOptions(const DevelopOptions& develop) {
-    return {.tonemap = develop.tonemap,
-            .exposureStops = develop.exposureStops,
-            .pngDepth = develop.pngDepth,
-            .jpegQuality = develop.jpegQuality,
-            .exrPixels = develop.exrPixels,
-            .metadata = {}};
-}
-
-WorkSource readSource(const SourceArguments& arguments) {
-    if (!arguments.sun.empty()) requireWritable(arguments.sun);
-    WorkSource source = loadWorkSource(arguments.in, arguments.layout.inLayout);
-    for (const std::string& warning : source.warnings)
-        warn(fmt::format("{}: {}", arguments.in, warning));
-    turn(source, turnFrom(arguments.from) +
-                     static_cast<double>(arguments.rotateDegrees) * std::numbers::pi / 180.0);
-    if (!arguments.sun.empty()) {
-        const Image& panorama = panoramaOf(source);
-        const std::optional<Sun> sun = findSun(panorama);
-        if (!sun)
-            throw Error(
-                fmt::format("{}: no sun found; nothing is small, alone and ten times brighter "
-                            "than what surrounds it",
-                            arguments.in));
-        writeFile(arguments.sun, jsonOf(*sun));
-        source.panorama = withoutSun(panorama, *sun);
-        source.cube.reset();
-    }
-    return source;
-}
-
-/// `chain.exr` and 2 give `chain_2.exr`; `chain_{}.exr` gives `chain_2_{}.exr`.
-std::string levelPath(const std::string& out, std::size_t level) {
-    const auto hole = out.find("{}");
-    const auto dot = hole != std::string::npos ? hole : out.rfind('.');
-    return fmt::format("{}{}{}{}", out.substr(0, dot), hole != std::string::npos ? "" : "_", level,
-                       hole != std::string::npos ? "_" + out.substr(dot) : out.substr(dot));
-}
-
-/// The layout asked for, or what the name of the file suggests.
-PictureForm formOf(const TargetArguments& to, PictureForm otherwise) {
-    const bool faces = to.out.find("{}") != std::string::npos || hasTextureExtension(to.out);
-    return to.layout.value_or(faces ? PictureForm::faces : otherwise);
-}
-
-int convert(const SourceArguments& from, const TargetArguments& to, const DevelopOptions& develop) {
-    const PictureForm form = formOf(to, PictureForm::equirect);
-    checkWorkTarget(to.out, form);
-    requireWritable(to.out);
-    WorkSource source = readSource(from);
-    turn(source, -turnFrom(to.to));
-    saveWork(to.out, source, form, to.size, saveOptions(develop), {to.texels, to.compression});
-    return 0;
-}
-
-int filter(const SourceArguments& from, const TargetArguments& to, const FilterArguments& arguments,
-           const DevelopOptions& develop) {
-    const SaveOptions save = saveOptions(develop);
-    if (arguments.kind == FilterKind::brdf) {
-        checkSavable(to.out);
-        saveImage(to.out, brdfTable(to.size.value_or(128)), save);
-        return 0;
-    }
-    if (from.in.empty()) throw Error("IN is missing: the environment to filter");
-    requireWritable(to.out);
-    const std::string extension = lowerExtension(to.out);
-    if (arguments.kind == FilterKind::sh) {
-        if (extension != ".json" && extension != ".h")
-            throw Error(fmt::format("{}: spherical harmonics are written to .json or .h", to.out));
-        const Spectrum spectrum =
-            spectrumOf(panoramaOf(readSource(from)), std::max(arguments.bands - 1, 8));
-        Harmonics harmonics = windowed(harmonicsOf(spectrum, arguments.bands), arguments.window);
-        const bool irradiance = arguments.quantity == Quantity::irradiance;
-        if (irradiance) harmonics = irradianceOf(std::move(harmonics));
-        const char* quantity = irradiance ? "irradiance" : "radiance";
-        writeFile(to.out, extension == ".json"
-                              ? jsonOf(harmonics, quantity)
-                              : cHeaderOf(harmonics, quantity, "environmentHarmonics"));
-        return 0;
-    }
-
-    const PictureForm form = formOf(to, PictureForm::hcross);
-    checkWorkTarget(to.out, form);
-    WorkSource source = readSource(from);
-    turn(source, -turnFrom(to.to));
-    const Image& panorama = panoramaOf(source);
-    const int size = to.size.value_or(256);
-    const TextureOptions texture{to.texels, to.compression};
-    const auto write = [&](const std::string& path, CubeMap cube) {
-        WorkSource result;
-        result.cube = std::move(cube);
-        saveWork(path, result, form, std::nullopt, save, texture);
-    };
-    if (arguments.kind == FilterKind::ggx || arguments.kind == FilterKind::charlie) {
-        if (size >> (arguments.levels - 1) < 1)
-            throw Error(fmt::format("{} levels from faces of {} texels; expected at most {}",
-                                    arguments.levels, size, static_cast<int>(std::log2(size)) + 1));
-        const InterruptWatch watch;
-        ProgressBar bar(ProgressBar::Loudness::terminal);
-        PrefilteredChain chain = prefilteredChain(
-            panorama,
-            {.faceSize = size,
-             .levels = arguments.levels,
-             .shape = arguments.kind == FilterKind::ggx ? LobeShape::ggx : LobeShape::charlie,
-             .scale = arguments.scale},
-            [&](float fraction) {
-                bar.show(fraction);
-                return !InterruptWatch::interrupted();
-            });
-        if (chain.levels.empty()) {
-            fmt::print(stderr, "tukor: stopped; nothing was written\n");
-            return kExitInterrupted;
-        }
-        if (hasTextureExtension(to.out)) {
-            saveLevels(to.out, chain.levels, texture);
-            return 0;
-        }
-        for (std::size_t level = 0; level < chain.levels.size(); ++level)
-            write(levelPath(to.out, level), std::move(chain.levels[level]));
-        return 0;
-    }
-    const bool blur = arguments.kind == FilterKind::blur;
-    write(to.out,
-          blurredCube(panorama,
-                      blur ? Lobe{LobeShape::gaussian, static_cast<double>(arguments.blurDegrees) *
-                                                           std::numbers::pi / 180.0}
-                           : Lobe{LobeShape::lambert, 1.0},
-                      blur ? size : to.size.value_or(32)));
-    return 0;
-}
-
-int info(const SourceArguments& from, const std::string& thumbnail) {
-    if (!thumbnail.empty()) {
-        checkSavable(thumbnail);
-        requireWritable(thumbnail);
-    }
-    const WorkSource source = loadWorkSource(from.in, from.layout.inLayout);
-    fmt::print("{}", describeWork(source));
-    if (!thumbnail.empty()) saveImage(thumbnail, contactSheet(source));
-    return 0;
-}
+namespace {
 
 struct AllArguments {
     SourceArguments source;
@@ -306,16 +123,17 @@ void addSourceAndTarget(Command& command, AllArguments& all, Needs needs) {
 
 Command convertCommand() {
     auto all = std::make_shared<AllArguments>();
-    Command command{.name = "convert",
-                    .help = "from one layout, size or file type to another",
-                    .footer =
-                        "Examples\n"
-                        "  tukor environment convert street.hdr -o street_{}.exr --size 512\n"
-                        "  tukor environment convert sky_{}.png -o sky.exr --to blender\n"
-                        "  tukor environment convert studio -o studio.hdr --size 2048\n"
-                        "  tukor environment convert probe.jpg --in-layout ball -o panorama.hdr\n"
-                        "  tukor environment convert noon.exr -o sunless.exr --sun sun.json",
-                    .run = [all] { return convert(all->source, all->target, all->develop); }};
+    Command command{
+        .name = "convert",
+        .help = "from one layout, size or file type to another",
+        .footer =
+            "Examples\n"
+            "  tukor environment convert street.hdr -o street_{}.exr --size 512\n"
+            "  tukor environment convert sky_{}.png -o sky.exr --to blender\n"
+            "  tukor environment convert studio -o studio.hdr --size 2048\n"
+            "  tukor environment convert probe.jpg --in-layout ball -o panorama.hdr\n"
+            "  tukor environment convert noon.exr -o sunless.exr --sun sun.json",
+        .run = [all] { return convertEnvironment(all->source, all->target, all->develop); }};
     addSourceAndTarget(command, *all, Needs::something);
     return command;
 }
@@ -331,7 +149,9 @@ Command filterCommand() {
             "  tukor environment filter street.hdr -o level_{}.exr --kind charlie\n"
             "  tukor environment filter street.hdr -o light.h --kind sh --quantity irradiance\n"
             "  tukor environment filter -o brdf.exr --kind brdf --size 128",
-        .run = [all] { return filter(all->source, all->target, all->filter, all->develop); }};
+        .run = [all] {
+            return filterEnvironment(all->source, all->target, all->filter, all->develop);
+        }};
     addOptions(command.options, "Filter", all->filter);
     addSourceAndTarget(command, *all, Needs::nothing);  // --kind brdf
     return command;
@@ -345,7 +165,7 @@ Command infoCommand() {
                         "Examples\n"
                         "  tukor environment info street.hdr --thumbnail sheet.png\n"
                         "  tukor environment info sky_{}.png",
-                    .run = [all] { return info(all->source, all->thumbnail); }};
+                    .run = [all] { return describeEnvironment(all->source, all->thumbnail); }};
     addSource(command, *all, Needs::something);
     command.options.push_back(textOption("--thumbnail", all->thumbnail, "OUT",
                                          "a contact sheet: three exposures and the six faces"));

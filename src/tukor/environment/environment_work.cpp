@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/file.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/environment.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/layout.h"
+#include "tukor/environment/panorama.h"
 #include "tukor/environment/repair.h"
 #include "tukor/environment/texture_chain.h"
 
@@ -53,26 +55,68 @@ std::optional<Layout> layoutOf(PictureForm form) {
     }
 }
 
+/// The layout that a picture's shape gives it and `form`, if any, agrees with. Throws Error.
+Layout layoutOfPicture(const std::string& name, const Image& picture,
+                       std::optional<PictureForm> form) {
+    const std::optional<Layout> layout = layoutOfShape(picture.width(), picture.height());
+    if (layout && form && layout != layoutOf(*form))
+        throw Error(
+            fmt::format("{}: {} x {} pixels, which is the shape of {}, not of what "
+                        "--in-layout says",
+                        name, picture.width(), picture.height(),
+                        (*layout == Layout::equirect ? "an " : "a ") + wordFor(*layout)));
+    if (!layout)
+        throw Error(
+            fmt::format("{}: {} x {} pixels; an equirectangular panorama must be exactly twice "
+                        "as wide as high, a cube map a cross of 4 x 3 or 3 x 4 squares or a "
+                        "strip of six; octahedral and ball pictures want --in-layout",
+                        name, picture.width(), picture.height()));
+    return *layout;
+}
+
 /// The cube map at a face size, made from the panorama if there is one.
-CubeMap cubeOf(const WorkSource& source, std::optional<int> faceSize) {
+CubeMap cubeOf(WorkSource&& source, std::optional<int> faceSize, const Progress& progress) {
     if (source.panorama)
         return cubeFromEquirect(*source.panorama,
-                                faceSize.value_or(faceSizeForEquirect(source.panorama->width())));
-    return faceSize ? resizedCube(*source.cube, *faceSize) : *source.cube;
+                                faceSize.value_or(faceSizeForEquirect(source.panorama->width())),
+                                progress);
+    return faceSize ? resizedCube(*source.cube, *faceSize) : std::move(*source.cube);
+}
+
+/// The panorama at a width, made from the cube map if there is nothing else.
+Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& progress) {
+    if (source.panorama)
+        return width ? resizedPanorama(*source.panorama, *width, progress)
+                     : std::move(*source.panorama);
+    const CubeMap& cube = *source.cube;
+    const int asDetailed = 4 * cube.faceSize();
+    // Pixels are means of 3 x 3 look-ups: enough for texels of half a pixel.
+    if (width && *width < 2 * cube.faceSize())
+        return panoramaFromCube(shrunkCube(cube, std::max(1, *width / 2)), *width, progress);
+    return panoramaFromCube(cube, width.value_or(asDetailed), progress);
 }
 
 }  // namespace
 
-WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureForm> form) {
+WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureForm> form,
+                          Orientation from) {
     WorkSource source;
     std::error_code error;
+    const auto takeCube = [&](CubeMap cube) {
+        source.cube =
+            from == Orientation::opengl ? std::move(cube) : worldCube(cube, cubeAxesOf(from));
+    };
     if (!fs::is_regular_file(nameOrPath, error) || (form && *form == PictureForm::faces)) {
         Environment environment = loadEnvironment(nameOrPath);  // built in, six files, or an error
         const bool builtIn =
             nameOrPath.find("{}") == std::string::npos && !fs::exists(nameOrPath, error);
+        if (builtIn && from != Orientation::opengl)
+            throw Error(fmt::format(
+                "{}: built in, so --from has nothing to say about it; turn it by --rotate",
+                nameOrPath));
         source.layout = builtIn ? "built in" : "six faces";
         source.width = source.height = environment.radiance.faceSize();
-        source.cube = std::move(environment.radiance);
+        takeCube(std::move(environment.radiance));
         source.warnings = std::move(environment.warnings);
         return source;
     }
@@ -82,7 +126,7 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
         source.layout = fmt::format("cube map of {} levels", texture->levels);
         source.width = texture->width;
         source.height = texture->height;
-        source.cube = cubeFromTexture(*texture);
+        takeCube(cubeFromTexture(*texture));
         return source;
     }
     Image picture = loadPicture(nameOrPath);
@@ -100,24 +144,14 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
                                                 : cubeFromOctahedral(picture, faceSize);
         return source;
     }
-    const std::optional<Layout> layout = layoutOfShape(picture.width(), picture.height());
-    if (layout && form && layout != layoutOf(*form))
-        throw Error(
-            fmt::format("{}: {} x {} pixels, which is the shape of {}, not of what "
-                        "--in-layout says",
-                        nameOrPath, picture.width(), picture.height(),
-                        (*layout == Layout::equirect ? "an " : "a ") + wordFor(*layout)));
-    if (!layout)
-        throw Error(
-            fmt::format("{}: {} x {} pixels; an equirectangular panorama must be exactly twice "
-                        "as wide as high, a cube map a cross of 4 x 3 or 3 x 4 squares or a "
-                        "strip of six; octahedral and ball pictures want --in-layout",
-                        nameOrPath, picture.width(), picture.height()));
-    source.layout = wordFor(*layout);
-    if (*layout == Layout::equirect)
+    const Layout layout = layoutOfPicture(nameOrPath, picture, form);
+    source.layout = wordFor(layout);
+    if (layout == Layout::equirect) {
         source.panorama = std::move(picture);
-    else
-        source.cube = cubeFromLayout(picture, *layout);
+        turn(source, turnFrom(from));
+    } else {
+        takeCube(cubeFromLayout(picture, layout));
+    }
     return source;
 }
 
@@ -163,128 +197,83 @@ void checkWorkTarget(const std::string& path, PictureForm form) {
 }
 
 void saveLevels(const std::string& path, std::span<const CubeMap> levels,
-                const TextureOptions& options) {
-    saveTexture(path, textureFromCubes(levels), options);
+                const WorkTarget& target) {
+    if (target.to == Orientation::opengl)
+        return saveTexture(path, textureFromCubes(levels), target.texture);
+    std::vector<CubeMap> stored;
+    stored.reserve(levels.size());
+    for (const CubeMap& level : levels) stored.push_back(storedCube(level, cubeAxesOf(target.to)));
+    saveTexture(path, textureFromCubes(stored), target.texture);
 }
 
-void saveWork(const std::string& path, WorkSource& source, PictureForm form,
-              std::optional<int> size, const SaveOptions& options,
-              const TextureOptions& textureOptions) {
-    checkWorkTarget(path, form);
-    switch (form) {
-        case PictureForm::equirect: {
+bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
+              const Progress& progress) {
+    checkWorkTarget(path, target.form);
+    bool stopped = false;  // once asked to, whoever asks next
+    const Progress watch = [&](float fraction) {
+        stopped = stopped || (progress && !progress(fraction));
+        return !stopped;
+    };
+    const Progress making = partOf(watch, 0.0f, 0.5f), encoding = partOf(watch, 0.5f, 1.0f);
+    // All is encoded before anything is written, so that nothing is left of what was stopped.
+    std::vector<std::pair<std::string, std::vector<std::byte>>> files;
+    const auto add = [&](const std::string& file, const Image& image, const Progress& part) {
+        if (!stopped)
+            files.emplace_back(file,
+                               encodeImage(image, lowerExtension(file), target.picture, part));
+    };
+    const std::optional<int> size = target.size;
+    switch (target.form) {
+        case PictureForm::equirect:
             if (size && *size % 2 != 0)
                 throw Error(fmt::format(
                     "{}: a width of {}; a panorama is twice as wide as high, so an even "
                     "number of pixels",
                     path, *size));
-            // Pixels are means of 3 x 3 look-ups: enough for texels of half a pixel.
-            if (!source.panorama && size && *size < 2 * source.cube->faceSize())
-                saveImage(path,
-                          panoramaFromCube(shrunkCube(*source.cube, std::max(1, *size / 2)), *size),
-                          options);
-            else if (!source.panorama && size)
-                saveImage(path, panoramaFromCube(*source.cube, *size), options);
-            else if (size)
-                saveImage(path, resizedPanorama(panoramaOf(source), *size), options);
-            else
-                saveImage(path, panoramaOf(source), options);
-            return;
-        }
-        case PictureForm::faces: {
-            const CubeMap cube = cubeOf(source, size);
-            if (hasTextureExtension(path)) {
-                std::vector<CubeMap> levels{cube};
-                for (CubeMap& mip : cubeMips(cube)) levels.push_back(std::move(mip));
-                saveLevels(path, levels, textureOptions);
-                return;
-            }
-            for (const CubeFace face : kCubeFaces) {
-                std::string file = path;
-                file.replace(file.find("{}"), 2, kFaceNames[0][static_cast<std::size_t>(face)]);
-                saveImage(file, pictureOfFace(cube, face), options);
-            }
-            return;
-        }
+            turn(source, -turnFrom(target.to));
+            add(path, panoramaAt(std::move(source), size, making), encoding);
+            break;
         case PictureForm::octahedral:
         case PictureForm::ball: {
             // A face of half the edge has about as many texels to the degree.
             const CubeMap cube =
-                cubeOf(source, size ? std::optional<int>(std::max(1, *size / 2)) : std::nullopt);
+                cubeOf(std::move(source),
+                       size ? std::optional<int>(std::max(1, *size / 2)) : std::nullopt, making);
             const int edge = size.value_or(2 * cube.faceSize());
-            saveImage(path,
-                      form == PictureForm::ball ? ballFromCube(cube, edge)
-                                                : octahedralFromCube(cube, edge),
-                      options);
-            return;
+            add(path,
+                target.form == PictureForm::ball ? ballFromCube(cube, edge)
+                                                 : octahedralFromCube(cube, edge),
+                encoding);
+            break;
         }
-        default:
-            saveImage(path, pictureFromCube(cubeOf(source, size), *layoutOf(form)), options);
+        default: {
+            CubeMap cube = cubeOf(std::move(source), size, making);
+            if (target.form == PictureForm::faces && hasTextureExtension(path)) {
+                if (stopped) return false;
+                std::vector<CubeMap> levels{std::move(cube)};
+                for (CubeMap& mip : cubeMips(levels.front())) levels.push_back(std::move(mip));
+                if (!watch(0.5f)) return false;
+                saveLevels(path, levels, target);
+                return true;
+            }
+            if (target.to != Orientation::opengl) cube = storedCube(cube, cubeAxesOf(target.to));
+            if (target.form != PictureForm::faces) {
+                add(path, pictureFromCube(cube, *layoutOf(target.form)), encoding);
+                break;
+            }
+            for (const CubeFace face : kCubeFaces) {
+                const auto i = static_cast<std::size_t>(face);
+                std::string file = path;
+                file.replace(file.find("{}"), 2, kFaceNames[0][i]);
+                const auto part = static_cast<float>(i);
+                add(file, pictureOfFace(cube, face),
+                    partOf(encoding, part / 6.0f, (part + 1.0f) / 6.0f));
+            }
+        }
     }
-}
-
-std::string describeWork(WorkSource source) {
-    std::string text = fmt::format("layout     {}\nsize       {} x {}\n", source.layout,
-                                   source.width, source.height);
-    const Image& panorama = panoramaOf(source);
-    glm::vec3 least(INFINITY), most(0.0f);
-    for (const glm::vec3& pixel : panorama.pixels()) {
-        least = glm::min(least, pixel);
-        most = glm::max(most, pixel);
-    }
-    const Spectrum spectrum = spectrumOf(panorama, 8);
-    const auto triple = [](glm::dvec3 v) {
-        return fmt::format("{:.5g} {:.5g} {:.5g}", v.x, v.y, v.z);
-    };
-    text += fmt::format("least      {}\nmost       {}\nmean       {}\n", triple(least),
-                        triple(most), triple(spectrum.mean));
-    const int faceSize =
-        source.cube ? source.cube->faceSize() : faceSizeForEquirect(panorama.width());
-    text += fmt::format("cube map   {} texels an edge\n", faceSize);
-    if (source.warnings.empty()) text += "repaired   nothing\n";
-    for (const std::string& warning : source.warnings)
-        text += fmt::format("repaired   {}\n", warning);
-    if (const std::optional<Sun> sun = findSun(panorama)) {
-        constexpr double kDegrees = 180.0 / std::numbers::pi;
-        text += fmt::format(
-            "sun        towards {}, radius {:.3g} degrees, {:.3g} times the sky around it\n"
-            "           irradiance {}\n",
-            triple(sun->direction), static_cast<double>(sun->angularRadius) * kDegrees,
-            static_cast<double>(sun->brightness), triple(sun->irradiance));
-    } else {
-        text += "sun        none\n";
-    }
-    const Harmonics harmonics = harmonicsOf(spectrum, 3);
-    for (int l = 0; l < 3; ++l)
-        for (int m = -l; m <= l; ++m)
-            text += fmt::format(
-                "SH {},{:<2}    {}\n", l, m,
-                triple(harmonics.coefficients[static_cast<std::size_t>(l * (l + 1) + m)]));
-    return text;
-}
-
-Image contactSheet(WorkSource source) {
-    constexpr int kWidth = 768, kFace = kWidth / 6;
-    const CubeMap faces = cubeOf(source, kFace);
-    const Image panorama = resizedPanorama(panoramaOf(source), kWidth);
-    double mean = 0.0;
-    for (const glm::vec3& pixel : panorama.pixels())
-        mean += static_cast<double>(pixel.x + pixel.y + pixel.z) / 3.0;
-    mean /= static_cast<double>(panorama.pixels().size());
-    // The middle exposure brings the mean to 0.18, a photographer's middle grey.
-    const auto exposure = static_cast<float>(mean > 0.0 ? 0.18 / mean : 1.0);
-    Image sheet(kWidth, 3 * kWidth / 2 + kFace);
-    for (int strip = 0; strip < 3; ++strip)
-        for (int row = 0; row < kWidth / 2; ++row)
-            for (int column = 0; column < kWidth; ++column)
-                sheet.at(column, strip * kWidth / 2 + row) =
-                    exposure * std::exp2(2.0f * static_cast<float>(strip - 1)) *
-                    panorama.at(column, row);
-    const Image below = pictureFromCube(faces, Layout::hstrip);
-    for (int row = 0; row < kFace; ++row)
-        for (int column = 0; column < kWidth; ++column)
-            sheet.at(column, 3 * kWidth / 2 + row) = exposure * below.at(column, row);
-    return sheet;
+    if (!watch(1.0f)) return false;
+    for (const auto& [file, bytes] : files) writeFile(file, bytes);
+    return true;
 }
 
 }  // namespace tukor

@@ -5,11 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tukor/environment/brdf_table.h"
-#include "tukor/environment/harmonics.h"
-#include "tukor/environment/panorama.h"
-#include "tukor/environment/prefilter.h"
-#include "tukor/environment/sun.h"
+#include "tukor/base/progress.h"
+#include "tukor/environment/cube_map.h"
+#include "tukor/environment/orientation.h"
 #include "tukor/image/image_file.h"
 #include "tukor/image/texture_file.h"
 
@@ -18,7 +16,7 @@ namespace tukor {
 enum class PictureForm { equirect, faces, hcross, vcross, hstrip, vstrip, octahedral, ball };
 
 /// An environment in the form that it came in, so that what need not be resampled is not. One of
-/// the two is there, or both.
+/// the two is there, or both; their axes are this project's.
 struct WorkSource {
     std::string layout;  // in words
     int width = 0;       // of the picture, or of one of six
@@ -28,10 +26,12 @@ struct WorkSource {
     std::vector<std::string> warnings;
 };
 
-/// From all that loadEnvironment takes, and octahedral and ball pictures when said so. Throws
-/// Error.
+/// From all that loadEnvironment takes, and octahedral and ball pictures when said so; `from` says
+/// how panoramas and cube maps are oriented. Throws Error, for what is built in and not `opengl`
+/// too.
 [[nodiscard]] WorkSource loadWorkSource(const std::string& nameOrPath,
-                                        std::optional<PictureForm> form);
+                                        std::optional<PictureForm> form,
+                                        Orientation from = Orientation::opengl);
 
 /// Turned about +Y, counter-clockwise seen from above.
 void turn(WorkSource& source, double radians);
@@ -40,24 +40,27 @@ void turn(WorkSource& source, double radians);
 [[nodiscard]] const Image& panoramaOf(WorkSource& source);
 [[nodiscard]] Image panoramaOf(WorkSource&& source);
 
+/// What an environment is written as.
+struct WorkTarget {
+    PictureForm form = PictureForm::equirect;
+    /// The width of a panorama or else the edge of a face or picture; none: the source's detail.
+    std::optional<int> size = std::nullopt;
+    /// Of panoramas and cube maps; octahedral and ball pictures have their own.
+    Orientation to = Orientation::opengl;
+    SaveOptions picture = {};
+    TextureOptions texture = {};
+};
+
 /// Throws the Error that saveWork would for a path that does not suit the form.
 void checkWorkTarget(const std::string& path, PictureForm form);
 
-/// Writes in the given form; `size` is the width of a panorama or else the edge of a face or
-/// picture; none keeps the detail of the source. A texture file takes a cube map and all its
-/// levels.
-void saveWork(const std::string& path, WorkSource& source, PictureForm form,
-              std::optional<int> size, const SaveOptions& options,
-              const TextureOptions& textureOptions = {});
+/// Writes it; a texture file takes a cube map and all its levels. False, and nothing is written,
+/// where `progress` asked to stop.
+bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
+              const Progress& progress = {});
 
 /// All levels of a chain in one texture file. Throws Error.
 void saveLevels(const std::string& path, std::span<const CubeMap> levels,
-                const TextureOptions& options = {});
-
-/// Lines of text: layout, size, range, mean, repairs, sun, harmonics.
-[[nodiscard]] std::string describeWork(WorkSource source);
-
-/// Three exposures, two stops apart around the mean, and the six faces.
-[[nodiscard]] Image contactSheet(WorkSource source);
+                const WorkTarget& target = {});
 
 }  // namespace tukor

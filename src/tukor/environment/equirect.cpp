@@ -70,7 +70,7 @@ std::array<float, 6> fittingTaps() {
 }
 
 /// The texels whose bilinear interpolation fits that of the panorama best.
-CubeMap fittedCube(const Image& panorama, int faceSize) {
+CubeMap fittedCube(const Image& panorama, int faceSize, const Progress& progress) {
     const std::array<float, 6> taps = fittingTaps();
     constexpr int kReach = 5;              // half texels to each side of a texel's centre
     constexpr int kRing = 2 * kReach + 1;  // lines of samples that one line of texels needs
@@ -81,7 +81,7 @@ CubeMap fittedCube(const Image& panorama, int faceSize) {
     const int bands = (faceSize + kBand - 1) / kBand;
 
     CubeMap cube(faceSize);
-    parallelFor(0, 6 * bands, 1, [&](int begin, int end) {
+    (void)parallelFor(0, 6 * bands, 1, progress, [&](int begin, int end) {
         EquirectRow places(panorama.width(), panorama.height(), samples);
         std::vector<Float4> line(static_cast<std::size_t>(samples));
         // Of each line of samples: filtered along s, and its range within half a texel.
@@ -163,7 +163,7 @@ int faceSizeForEquirect(int width) noexcept {
     return faceSize;
 }
 
-CubeMap cubeFromEquirect(const Image& panorama, int faceSize) {
+CubeMap cubeFromEquirect(const Image& panorama, int faceSize, const Progress& progress) {
     TUKOR_ASSERT(faceSize >= 1 && !panorama.empty());
     // Means of one value are that value, but not to the last bit.
     const std::span<const glm::vec3> pixels = panorama.pixels();
@@ -175,7 +175,7 @@ CubeMap cubeFromEquirect(const Image& panorama, int faceSize) {
         return cube;
     }
     const float natural = static_cast<float>(panorama.width()) / kPi;
-    return static_cast<float>(faceSize) >= natural ? fittedCube(panorama, faceSize)
+    return static_cast<float>(faceSize) >= natural ? fittedCube(panorama, faceSize, progress)
                                                    : areaCubeFromEquirect(panorama, faceSize);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include "tukor/base/progress.h"
 #include "tukor/environment/cube_map.h"
 #include "tukor/image/image.h"
 
@@ -29,6 +30,9 @@ namespace tukor {
 /// as close as it can, in the least squares sense, to the bilinear look-up in the panorama: the
 /// means or centres of texels would be blurred a second time by the look-up. Never leaves the range
 /// of the pixels nearby by more than a quarter; a constant stays constant.
-[[nodiscard]] CubeMap cubeFromEquirect(const Image& panorama, int faceSize);
+///
+/// Black from somewhere on where `progress` asked to stop.
+[[nodiscard]] CubeMap cubeFromEquirect(const Image& panorama, int faceSize,
+                                       const Progress& progress = {});
 
 }  // namespace tukor

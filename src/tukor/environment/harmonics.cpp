@@ -1,5 +1,6 @@
 #include "tukor/environment/harmonics.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <complex>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/parallel.h"
 #include "tukor/environment/legendre.h"
 #include "tukor/environment/lobe.h"
 
@@ -82,20 +84,28 @@ Harmonics harmonicsOf(const Spectrum& spectrum, int bands) {
     const std::vector<double> weights = fejerWeights(height);
     Harmonics harmonics{bands, std::vector<glm::dvec3>(static_cast<std::size_t>(bands) *
                                                        static_cast<std::size_t>(bands))};
-    for (int row = 0; row < height; ++row) {
-        const double theta = kPi * (row + 0.5) / height;
-        const double weight = weights[static_cast<std::size_t>(row)] * kPi / height;
-        for (int column = 0; column < 2 * height; ++column) {
-            const double longitude = kPi * ((column + 0.5) / height - 1.0);
-            const glm::dvec3 direction(std::sin(theta) * std::sin(longitude), std::cos(theta),
-                                       -std::sin(theta) * std::cos(longitude));
-            const std::vector<double> basis = harmonicBasis(bands, direction);
-            const glm::dvec3 radiance =
-                weight * (glm::dvec3(image.at(column, row)) - spectrum.mean);
-            for (std::size_t i = 0; i < basis.size(); ++i)
-                harmonics.coefficients[i] += basis[i] * radiance;
+    // In pieces of fixed size, added up in order, so that sums do not depend on the threads.
+    constexpr int kRows = 8;
+    std::vector<std::vector<glm::dvec3>> pieces(
+        static_cast<std::size_t>((height + kRows - 1) / kRows), harmonics.coefficients);
+    parallelFor(0, static_cast<int>(pieces.size()), 1, [&](int begin, int end) {
+        for (int row = begin * kRows; row < std::min(end * kRows, height); ++row) {
+            std::vector<glm::dvec3>& sums = pieces[static_cast<std::size_t>(row / kRows)];
+            const double theta = kPi * (row + 0.5) / height;
+            const double weight = weights[static_cast<std::size_t>(row)] * kPi / height;
+            for (int column = 0; column < 2 * height; ++column) {
+                const double longitude = kPi * ((column + 0.5) / height - 1.0);
+                const glm::dvec3 direction(std::sin(theta) * std::sin(longitude), std::cos(theta),
+                                           -std::sin(theta) * std::cos(longitude));
+                const std::vector<double> basis = harmonicBasis(bands, direction);
+                const glm::dvec3 radiance =
+                    weight * (glm::dvec3(image.at(column, row)) - spectrum.mean);
+                for (std::size_t i = 0; i < basis.size(); ++i) sums[i] += basis[i] * radiance;
+            }
         }
-    }
+    });
+    for (const std::vector<glm::dvec3>& sums : pieces)
+        for (std::size_t i = 0; i < sums.size(); ++i) harmonics.coefficients[i] += sums[i];
     harmonics.coefficients[0] += spectrum.mean * std::sqrt(4.0 * kPi);
     return harmonics;
 }

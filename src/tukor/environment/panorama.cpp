@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "tukor/base/parallel.h"
+#include "tukor/environment/cube_axes.h"
 #include "tukor/environment/cube_function.h"
-#include "tukor/environment/equirect.h"
 #include "tukor/environment/grid_point.h"
 
 namespace tukor {
@@ -73,20 +74,6 @@ glm::vec3 valueAt(const Image& image, glm::vec2 place) {
 
 }  // namespace
 
-double turnFrom(Orientation orientation) noexcept {
-    switch (orientation) {
-        case Orientation::blender:
-        case Orientation::three:
-        case Orientation::unreal:
-            return -0.5 * kPi;  // the middle, at -Z here, goes to +X
-        case Orientation::openexr:
-        case Orientation::filament:
-            return kPi;
-        default:
-            return 0.0;
-    }
-}
-
 Image turnedPanorama(const Image& panorama, double radians) {
     // Longitude grows clockwise seen from above: what was at column c goes to c - shift.
     const int width = panorama.width();
@@ -112,53 +99,18 @@ Image turnedPanorama(const Image& panorama, double radians) {
 }
 
 CubeMap turnedCube(const CubeMap& cube, double radians) {
+    const double quarters = radians / (0.5 * kPi);
+    if (std::abs(quarters - std::round(quarters)) < 1e-9) {
+        CubeAxes axes = worldCubeAxes();
+        for (int i = static_cast<int>(std::lround(quarters)) & 3; i > 0; --i)
+            axes = mapped(axes, [](glm::ivec3 a) { return glm::ivec3(-a.z, a.y, a.x); });
+        return storedCube(cube, axes);
+    }
     const auto c = static_cast<float>(std::cos(radians)), s = static_cast<float>(std::sin(radians));
     const auto radiance = [&](glm::vec3 d) {
         return cube.radiance({c * d.x - s * d.z, d.y, s * d.x + c * d.z});
     };
     return cubeFromFunction(cube.faceSize(), [&](Cone) { return radiance; });
-}
-
-Image resizedPanorama(const Image& panorama, int width) {
-    const int height = std::max(1, width / 2);
-    if (width == panorama.width() && height == panorama.height()) return panorama;
-    if (width >= panorama.width())
-        return pictureOf(width, height, [&](float u, float v) {
-            return equirectRadiance(panorama, directionFromEquirect({u, v}));
-        });
-    Image image(width, height);
-    parallelFor(0, height, 4, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            const double top = static_cast<double>(row) * panorama.height() / height;
-            const double bottom = static_cast<double>(row + 1) * panorama.height() / height;
-            for (int column = 0; column < width; ++column) {
-                const double left = static_cast<double>(column) * panorama.width() / width;
-                const double right = static_cast<double>(column + 1) * panorama.width() / width;
-                glm::dvec3 sum(0.0);
-                double weights = 0.0;
-                for (int j = static_cast<int>(top); j < bottom && j < panorama.height(); ++j) {
-                    const double from = std::max(top, static_cast<double>(j)),
-                                 to = std::min(bottom, j + 1.0);
-                    const double band = std::cos(kPi * from / panorama.height()) -
-                                        std::cos(kPi * to / panorama.height());
-                    for (int i = static_cast<int>(left); i < right && i < panorama.width(); ++i) {
-                        const double weight = band * (std::min(right, i + 1.0) -
-                                                      std::max(left, static_cast<double>(i)));
-                        sum += weight * glm::dvec3(panorama.at(i, j));
-                        weights += weight;
-                    }
-                }
-                image.at(column, row) = glm::vec3(sum / weights);
-            }
-        }
-    });
-    return image;
-}
-
-Image panoramaFromCube(const CubeMap& cube, int width) {
-    return pictureOf(width, std::max(1, width / 2), [&](float u, float v) {
-        return cube.radiance(directionFromEquirect({u, v}));
-    });
 }
 
 Image octahedralFromCube(const CubeMap& cube, int size) {

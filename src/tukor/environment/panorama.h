@@ -1,43 +1,25 @@
-// Panoramas turned, resized, and made of cube maps; and the orientations that programs expect.
+// Panoramas turned, resized, and made of cube maps.
 #pragma once
-#include <array>
-#include <numbers>
-#include <string_view>
-#include <utility>
-
-#include "tukor/base/options.h"
+#include "tukor/base/progress.h"
 #include "tukor/environment/cube_map.h"
 #include "tukor/image/image.h"
 
 namespace tukor {
 
-/// Programs by the direction that they see in the middle of a panorama, in this project's axes:
-/// models exchanged as glTF stand the same in all of them.
-enum class Orientation { opengl, blender, three, openexr, filament, unreal };
-
-inline constexpr std::array<std::pair<Orientation, std::string_view>, 6> kOrientationSpellings = {
-    {{Orientation::opengl, "opengl"},      // -Z, as in this project
-     {Orientation::blender, "blender"},    // +X
-     {Orientation::three, "three"},        // +X
-     {Orientation::openexr, "openexr"},    // +Z
-     {Orientation::filament, "filament"},  // +Z
-     {Orientation::unreal, "unreal"}}};    // +X
-
-/// Radians about +Y, counter-clockwise seen from above, by which a panorama in that orientation
-/// must be turned to be in this project's.
-[[nodiscard]] double turnFrom(Orientation orientation) noexcept;
-
 /// Turned about +Y, counter-clockwise seen from above; exact where the angle is whole pixels, else
 /// linear between two.
 [[nodiscard]] Image turnedPanorama(const Image& panorama, double radians);
+/// The same; exact where the angle is a multiple of 90 degrees.
 [[nodiscard]] CubeMap turnedCube(const CubeMap& cube, double radians);
 
-/// Means over areas when it shrinks, bilinear when it grows. The height is half of the width.
-[[nodiscard]] Image resizedPanorama(const Image& panorama, int width);
+/// Means over areas when it shrinks, bilinear when it grows. The height is half of the width. Black
+/// from somewhere on where `progress` asked to stop.
+[[nodiscard]] Image resizedPanorama(const Image& panorama, int width,
+                                    const Progress& progress = {});
 
 /// Pixels are means of 3 x 3 look-ups; use a cube of at most width / 2 for an area-correct
-/// panorama.
-[[nodiscard]] Image panoramaFromCube(const CubeMap& cube, int width);
+/// panorama. Stops as resizedPanorama does.
+[[nodiscard]] Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress = {});
 
 /// The octahedral map of [Engelhardt & Dachsbacher 2008] with +Y in the middle, +X right and +Z
 /// down.

@@ -63,9 +63,16 @@ PrefilteredChain prefilteredChain(const Image& panorama, const ChainOptions& opt
     return chain;
 }
 
-CubeMap blurredCube(const Image& panorama, const Lobe& lobe, int faceSize) {
+std::optional<CubeMap> blurredCube(const Image& panorama, const Lobe& lobe, int faceSize,
+                                   const Progress& progress) {
+    const auto proceed = [&](float done) { return !progress || progress(done); };
+    if (!proceed(0.0f)) return std::nullopt;
     const bool sharp = lobe.shape == LobeShape::ggx && lobe.alpha < kLeastSpectralAlpha;
-    return convolved(panorama, spectrumOf(panorama, sharp ? 0 : lobeDegree(lobe)), lobe, faceSize);
+    const Spectrum spectrum = spectrumOf(panorama, sharp ? 0 : lobeDegree(lobe));
+    if (!proceed(0.5f)) return std::nullopt;
+    CubeMap cube = convolved(panorama, spectrum, lobe, faceSize);
+    if (!proceed(1.0f)) return std::nullopt;
+    return cube;
 }
 
 }  // namespace tukor

@@ -1,5 +1,6 @@
 // Environments blurred for rough surfaces: chains of cube maps, irradiance, backgrounds.
 #pragma once
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,8 @@ struct PrefilteredChain {
                                                 const Progress& progress = {});
 
 /// The panorama convolved with one lobe: ggx, charlie or gaussian of any alpha above 0; lambert
-/// gives irradiance over pi.
-[[nodiscard]] CubeMap blurredCube(const Image& panorama, const Lobe& lobe, int faceSize);
+/// gives irradiance over pi. None where `progress` asked to stop.
+[[nodiscard]] std::optional<CubeMap> blurredCube(const Image& panorama, const Lobe& lobe,
+                                                 int faceSize, const Progress& progress = {});
 
 }  // namespace tukor

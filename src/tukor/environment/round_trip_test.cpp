@@ -103,13 +103,13 @@ protected:
             (folder_ / fmt::format("a{}{}", faces ? "_{}" : "", format.extension)).string();
         WorkSource source;
         source.cube = cube;
-        saveWork(path, source, form, size, format.picture, format.texture);
+        saveWork(path, source, {form, size, Orientation::opengl, format.picture, format.texture});
         WorkSource back =
             loadWorkSource(path, format.isTexture() ? std::optional<PictureForm>() : form);
         EXPECT_TRUE(back.warnings.empty());
         if (!back.cube) {
             const std::string again = (folder_ / "again_{}.exr").string();
-            saveWork(again, back, PictureForm::faces, cube.faceSize(), {});
+            saveWork(again, back, {PictureForm::faces, cube.faceSize()});
             back = loadWorkSource(again, PictureForm::faces);
         }
         ASSERT_EQ(back.cube->faceSize(), cube.faceSize());
@@ -147,7 +147,7 @@ TEST(RoundTripBall, BringsAllBackButWhatTheBallHides) {
     const fs::path path = fs::temp_directory_path() / "tukor_round_trip_ball.exr";
     WorkSource source;
     source.cube = landscape(32);
-    saveWork(path.string(), source, PictureForm::ball, 512, {});
+    saveWork(path.string(), source, {PictureForm::ball, 512});
     const WorkSource back = loadWorkSource(path.string(), PictureForm::ball);
     for (int i = 0; i < 200; ++i) {
         const float y = 0.99f - 0.0099f * static_cast<float>(i), phi = 2.4f * static_cast<float>(i);
