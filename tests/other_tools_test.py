@@ -3,15 +3,19 @@
 three.js.
 
 usage: other_tools_test.py TUKOR
-needs: openimageio-tools, blender, libfilament-tools, node and npm (which fetches three)
+needs: openimageio-tools, blender, libfilament-tools, chromium, node and npm (which fetches three)
 """
+import glob
+import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 
 TUKOR = sys.argv[1]
+HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def run(*command):
@@ -29,6 +33,27 @@ def channel_means(path):
     line = re.search(r"Stats Avg: ([^\n(]*)", stats)
     assert line, stats
     return [float(word) for word in line.group(1).split()[:3]]
+
+
+def coloured_panorama(path):
+    """A world whose every direction is its colour, -Z in the middle: 0.5 + 0.5 d in the codes of a .png."""
+    width, height = 512, 256
+    pixels = bytearray()
+    for row in range(height):
+        polar = math.pi * (row + 0.5) / height
+        for column in range(width):
+            longitude = 2 * math.pi * ((column + 0.5) / width - 0.5)
+            direction = (math.sin(polar) * math.sin(longitude), math.cos(polar), -math.sin(polar) * math.cos(longitude))
+            pixels += bytes(round(255 * (0.5 + 0.5 * d)) for d in direction)
+    with open(f"{path}.ppm", "wb") as file:
+        file.write(f"P6 {width} {height} 255\n".encode() + pixels)
+    run("oiiotool", f"{path}.ppm", "-o", path)
+
+
+def worst_difference(one, other):
+    """Of any channel of any pixel."""
+    result = subprocess.run(["oiiotool", one, other, "--diff"], capture_output=True, text=True)
+    return float(re.search(r"Max error *= *([0-9.e+-]+)", result.stdout).group(1))
 
 
 def test_openimageio(folder):
@@ -102,11 +127,28 @@ def test_cmgen(folder):
 
     close(harmonics(f"{folder}/cross.hdr"), harmonics(f"{folder}/studio.hdr"), 0.01, "mean radiance by cmgen")
 
+    # `--to filament`: the faces that cmgen makes of our panorama and takes from our cross are our faces.
+    coloured_panorama(f"{folder}/world.png")
+    for name, more in [("panorama.hdr", []), ("cross.hdr", ["--layout", "hcross", "--size", "64"]),
+                       ("face_{}.exr", ["--size", "64"])]:
+        run(TUKOR, "environment", "convert", f"{folder}/world.png", "-o", f"{folder}/{name}", "--to", "filament", *more)
+    for name, more in [("panorama.hdr", []), ("cross.hdr", ["--no-mirror"])]:
+        run("cmgen", "-q", "--size=64", "--format=exr", f"--extract={folder}/{name}_faces", *more, f"{folder}/{name}")
+        for face in ("px", "nx", "py", "ny", "pz", "nz"):
+            theirs = glob.glob(f"{folder}/{name}_faces/**/{face}.exr", recursive=True)[0]
+            # A quarter of a texel of linear interpolation, and the eight bits of .hdr; a mirrored face differs by 1.
+            worst = worst_difference(theirs, f"{folder}/face_{face}.exr")
+            assert worst < 0.03, f"{name}: {face} differs by {worst}"
+
+
+def unpack_three(folder):
+    run("npm", "pack", "--silent", "--pack-destination", folder, "three@0.187.0")
+    run("tar", "-xzf", f"{folder}/three-0.187.0.tgz", "-C", folder)
+
 
 def test_three(folder):
     """three.js's loaders read the same pixels."""
-    run("npm", "pack", "--silent", "--pack-destination", folder, "three@0.187.0")
-    run("tar", "-xzf", f"{folder}/three-0.187.0.tgz", "-C", folder)
+    unpack_three(folder)
     run(TUKOR, "environment", "convert", "sky", "-o", f"{folder}/expected.exr", "--size", "256")
 
     def write(name, *more):
@@ -118,12 +160,29 @@ def test_three(folder):
     write("half.ktx2", "--size", "64")
     write("float.ktx2", "--size", "64", "--texels", "float")
     write("zstd.ktx2", "--size", "64", "--compression", "zstd")
-    print(run("node", f"{os.path.dirname(os.path.abspath(__file__))}/three_loaders.mjs", f"{folder}/package", folder),
+    print(run("node", f"{HERE}/three_loaders.mjs", f"{folder}/package", folder),
           end="")
 
 
+def test_three_directions(folder):
+    """`--to three`: three.js shows every direction of a panorama and of six faces where it is."""
+    unpack_three(folder)
+    coloured_panorama(f"{folder}/world.png")
+    for name, more in [("panorama.png", []), ("face_{}.png", ["--size", "256"])]:
+        run(TUKOR, "environment", "convert", f"{folder}/world.png", "-o", f"{folder}/{name}", "--to", "three", *more)
+    shutil.copy(f"{HERE}/three_directions.html", folder)
+    page = run("chromium", "--headless", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+               "--allow-file-access-from-files", "--virtual-time-budget=20000", "--dump-dom",
+               f"file://{folder}/three_directions.html")
+    result = re.search(r'<pre id="result">([^<]*)</pre>', page).group(1)
+    print(result)
+    seen = dict(line.split() for line in result.splitlines())
+    # Codes are interpolated, at the poles across pixels a degree wide: a turned or mirrored face differs by 255.
+    assert set(seen) == {"panorama", "faces"} and max(map(float, seen.values())) < 6, result
+
+
 def main():
-    for test in (test_openimageio, test_blender, test_cmgen, test_three):
+    for test in (test_openimageio, test_blender, test_cmgen, test_three, test_three_directions):
         with tempfile.TemporaryDirectory() as folder:
             test(folder)
             print(f"{test.__name__}: passed")
