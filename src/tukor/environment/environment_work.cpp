@@ -89,11 +89,11 @@ Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& 
         return width ? resizedPanorama(*source.panorama, *width, progress)
                      : std::move(*source.panorama);
     const CubeMap& cube = *source.cube;
-    const int asDetailed = 4 * cube.faceSize();
-    // Pixels are means of 3 x 3 look-ups: enough for texels of half a pixel.
-    if (width && *width < 2 * cube.faceSize())
-        return panoramaFromCube(shrunkCube(cube, std::max(1, *width / 2)), *width, progress);
-    return panoramaFromCube(cube, width.value_or(asDetailed), progress);
+    const int to = width.value_or(4 * cube.faceSize());
+    // A much finer cube map is averaged. Else pixels are such that looking up between them gives
+    // what the cube map shows: a panorama that was made into faces comes back.
+    if (to < cube.faceSize()) return panoramaFromCube(shrunkCube(cube, to), to, progress);
+    return panoramaWithMeansOf(cube, to, progress);
 }
 
 }  // namespace

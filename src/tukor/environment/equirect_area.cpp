@@ -284,8 +284,9 @@ void fillPoles(const Rows& rows, const std::vector<Sectors>& sectors, double pix
 
 CubeMap areaCubeFromEquirect(const Image& panorama, int faceSize) {
     const Rows rows(panorama);
-    // Small maps can afford errors a third as large: chains of filtered levels begin with one.
-    const int finer = faceSize <= 512 ? 3 : 1;
+    // Chains of filtered levels begin with small maps; many pixels to a texel average errors out.
+    const double pixelsPerTexel = panorama.width() / kPi / faceSize;
+    const int finer = faceSize <= 512 && pixelsPerTexel < 3.0 ? 3 : 1;
     const int quarters = panorama.width() % 4 == 0 ? 1 : 4;
     std::vector<Sectors> sectors;
     sectors.reserve(static_cast<std::size_t>(quarters));
@@ -293,7 +294,7 @@ CubeMap areaCubeFromEquirect(const Image& panorama, int faceSize) {
         sectors.emplace_back(panorama.width(), quarter, finer);
     CubeMap cube(faceSize);
     fillSides(rows, sectors, cube);
-    fillPoles(rows, sectors, panorama.width() / kPi / faceSize, finer, cube);
+    fillPoles(rows, sectors, pixelsPerTexel, finer, cube);
     return cube;
 }
 

@@ -12,14 +12,20 @@ namespace tukor {
 /// The same; exact where the angle is a multiple of 90 degrees.
 [[nodiscard]] CubeMap turnedCube(const CubeMap& cube, double radians);
 
-/// Means over areas when it shrinks, bilinear when it grows. The height is half of the width. Black
-/// from somewhere on where `progress` asked to stop.
+/// Means over areas when it shrinks. When it grows, bilinear between values whose means over the
+/// old pixels are those pixels, so that shrinking it again gives them back. The height is half of
+/// the width. Black from somewhere on where `progress` asked to stop.
 [[nodiscard]] Image resizedPanorama(const Image& panorama, int width,
                                     const Progress& progress = {});
 
 /// Pixels are means of 3 x 3 look-ups; use a cube of at most width / 2 for an area-correct
 /// panorama. Stops as resizedPanorama does.
 [[nodiscard]] Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress = {});
+
+/// Pixels such that looking up between them gives what the cube map shows, and that
+/// cubeFromEquirect comes near the cube map again. Never negative. Stops likewise.
+[[nodiscard]] Image panoramaWithMeansOf(const CubeMap& cube, int width,
+                                        const Progress& progress = {});
 
 /// The octahedral map of [Engelhardt & Dachsbacher 2008] with +Y in the middle, +X right and +Z
 /// down.

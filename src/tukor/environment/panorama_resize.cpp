@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "tukor/base/parallel.h"
+#include "tukor/environment/equirect.h"
 #include "tukor/environment/float4.h"
 #include "tukor/environment/panorama.h"
+#include "tukor/environment/unblurred.h"
 
 namespace tukor {
 
@@ -178,12 +180,36 @@ private:
     std::array<const glm::vec3*, 6> faces_;
 };
 
+/// Scales the pixels within each pixel of `means` by one factor, so that their mean is that pixel:
+/// what unblurred leaves where light and dark lie too close together. Exact where whole pixels fit.
+void scaleToMeans(Image& image, const Image& means, const Progress& progress) {
+    const Image found = shrunkPanorama(image, means.width(), Progress());
+    (void)parallelFor(0, image.height(), 32, progress, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            // The pixel in which this one's middle lies, in integers.
+            const int below =
+                static_cast<int>((2ll * row + 1) * means.height() / (2 * image.height()));
+            for (int column = 0; column < image.width(); ++column) {
+                const int beside =
+                    static_cast<int>((2ll * column + 1) * means.width() / (2 * image.width()));
+                const glm::vec3& wanted = means.at(beside, below);
+                const glm::vec3& is = found.at(beside, below);
+                glm::vec3& pixel = image.at(column, row);
+                for (int c = 0; c < 3; ++c)
+                    if (is[c] > 0.0f && is[c] != wanted[c]) pixel[c] *= wanted[c] / is[c];
+            }
+        }
+    });
+}
+
 }  // namespace
 
 Image resizedPanorama(const Image& panorama, int width, const Progress& progress) {
     if (width == panorama.width() && std::max(1, width / 2) == panorama.height()) return panorama;
-    return width >= panorama.width() ? grownPanorama(panorama, width, progress)
-                                     : shrunkPanorama(panorama, width, progress);
+    if (width < panorama.width()) return shrunkPanorama(panorama, width, progress);
+    Image grown = grownPanorama(unblurred(panorama), width, partOf(progress, 0.0f, 0.5f));
+    scaleToMeans(grown, panorama, partOf(progress, 0.5f, 1.0f));
+    return grown;
 }
 
 Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress) {
@@ -213,6 +239,39 @@ Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress)
                 image.at(column, row) = vec3FromFloat4(sum / 9.0f);
             }
     });
+    return image;
+}
+
+Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progress) {
+    Image image = unblurred(panoramaFromCube(cube, width, partOf(progress, 0.0f, 0.6f)));
+    // Where texels are coarser than pixels, cubeFromEquirect takes their means: each step brings
+    // these nearer to the cube's.
+    constexpr int kSteps = 3;
+    if (static_cast<double>(width) <= kPi * cube.faceSize()) return image;
+    const int height = image.height();
+    for (int step = 0; step < kSteps; ++step) {
+        const CubeMap found = cubeFromEquirect(image, cube.faceSize());
+        CubeMap ratios(cube.faceSize());
+        for (const CubeFace face : kCubeFaces)
+            for (std::size_t i = 0; i < ratios.texels(face).size(); ++i)
+                for (int c = 0; c < 3; ++c) {
+                    const float is = found.texels(face)[i][c];
+                    ratios.texels(face)[i][c] = is > 0.0f ? cube.texels(face)[i][c] / is : 1.0f;
+                }
+        const LookUp ratio(ratios);
+        const float done = 0.6f + 0.4f * static_cast<float>(step) / kSteps;
+        const bool all = parallelFor(
+            0, height, 8, partOf(progress, done, done + 0.4f / kSteps), [&](int begin, int end) {
+                for (int row = begin; row < end; ++row)
+                    for (int column = 0; column < width; ++column) {
+                        const glm::vec2 place =
+                            (glm::vec2(column, row) + 0.5f) / glm::vec2(width, height);
+                        image.at(column, row) *=
+                            vec3FromFloat4(ratio(directionFromEquirect(place)));
+                    }
+            });
+        if (!all) break;
+    }
     return image;
 }
 
