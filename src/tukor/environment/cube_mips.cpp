@@ -42,10 +42,27 @@ std::vector<Cover> covers(int sourceSize, int targetSize) {
     return result;
 }
 
+CubeMap constantCube(const glm::vec3& value, int faceSize) {
+    CubeMap cube(faceSize);
+    for (const CubeFace face : kCubeFaces)
+        std::fill(cube.texels(face).begin(), cube.texels(face).end(), value);
+    return cube;
+}
+
 }  // namespace
+
+bool isConstant(const CubeMap& cube) noexcept {
+    const glm::vec3& first = cube.texels(CubeFace::posX).front();
+    return std::all_of(kCubeFaces.begin(), kCubeFaces.end(), [&](CubeFace face) {
+        const std::span<const glm::vec3> texels = cube.texels(face);
+        return std::all_of(texels.begin(), texels.end(),
+                           [&](const glm::vec3& texel) { return texel == first; });
+    });
+}
 
 CubeMap shrunkCube(const CubeMap& cube, int faceSize) {
     TUKOR_ASSERT(faceSize >= 1 && faceSize <= cube.faceSize());
+    if (isConstant(cube)) return constantCube(cube.texels(CubeFace::posX).front(), faceSize);
     const std::vector<Cover> cover = covers(cube.faceSize(), faceSize);
     const std::vector<float> angles = faceSolidAngles(cube.faceSize());
     CubeMap result(faceSize);
@@ -78,6 +95,7 @@ CubeMap shrunkCube(const CubeMap& cube, int faceSize) {
 
 CubeMap resizedCube(const CubeMap& cube, int faceSize) {
     if (faceSize <= cube.faceSize()) return shrunkCube(cube, faceSize);
+    if (isConstant(cube)) return constantCube(cube.texels(CubeFace::posX).front(), faceSize);
     CubeMap result(faceSize);
     parallelFor(0, 6 * faceSize, 16, [&](int begin, int end) {
         for (int line = begin; line < end; ++line) {

@@ -6,6 +6,9 @@
 
 namespace tukor {
 
+/// Whether all texels have one value: means of it would be that value, but not to the last bit.
+[[nodiscard]] bool isConstant(const CubeMap& cube) noexcept;
+
 /// The map at a smaller face size; the mean radiance over the sphere is kept.
 ///
 /// Sizes need not divide each other: a texel across a boundary counts by the part that lies inside.

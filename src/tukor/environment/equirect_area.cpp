@@ -35,14 +35,13 @@ struct Pieces {
     std::vector<float> slopes;
 };
 
-/// What a texel gathers, in each quarter; of the northern half and of its mirror image.
+/// What a texel gathers in each quarter, north and mirrored.
 struct Gathered {
     std::array<Float4, 4> north, south;
     std::array<float, 4> weights;
 };
 
-/// Where pixel edges lie within a quarter. Wide pixels are cut into parts, so that a piece is
-/// narrow.
+/// Where pixel edges lie within a quarter. Wide pixels are cut into narrow parts.
 class Sectors {
 public:
     Sectors(int width, double quarter, int finer)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tukor/base/parallel.h"
+#include "tukor/environment/cube_mips.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/float4.h"
 #include "tukor/environment/panorama.h"
@@ -214,6 +215,12 @@ Image resizedPanorama(const Image& panorama, int width, const Progress& progress
 
 Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress) {
     const int height = std::max(1, width / 2);
+    if (isConstant(cube)) {
+        Image image(width, height);
+        std::fill(image.pixels().begin(), image.pixels().end(),
+                  cube.texels(CubeFace::posX).front());
+        return image;
+    }
     // Means of 3 x 3 look-ups. Longitudes and colatitudes of all columns and rows of them:
     std::vector<glm::vec2> longitudes, colatitudes;  // sine, cosine
     for (int i = 0; i < 3 * width; ++i) {
@@ -247,7 +254,7 @@ Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progre
     // Where texels are coarser than pixels, cubeFromEquirect takes their means: each step brings
     // these nearer to the cube's.
     constexpr int kSteps = 3;
-    if (static_cast<double>(width) <= kPi * cube.faceSize()) return image;
+    if (static_cast<double>(width) <= kPi * cube.faceSize() || isConstant(cube)) return image;
     const int height = image.height();
     for (int step = 0; step < kSteps; ++step) {
         const CubeMap found = cubeFromEquirect(image, cube.faceSize());
