@@ -59,8 +59,9 @@ TUKOR_FN LookUps lookUpsOver(vec3 dx, vec3 dy, float texelsPerRadian, int most) 
 }
 
 /// As many as a look-up of this weight is worth: what is seen through many events counts little.
+/// From a quarter on all, lest lamps are blurred in what glass reflects.
 TUKOR_FN int lookUpsWorth(float weight, int most) {
-    return 1 + int(float(most - 1) * min(weight, 1.0f));
+    return 1 + int(float(most - 1) * min(4.0f * weight, 1.0f));
 }
 
 TUKOR_SHARED_END

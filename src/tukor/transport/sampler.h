@@ -60,6 +60,12 @@ TUKOR_FN vec2 pixelSample(uint seed, uint index) {
     return vec2(float(x >> 8u) * scale, float(y >> 8u) * scale);
 }
 
+/// The same for a sample that is `width` of the pixel wide: moved inwards where it would reach
+/// beyond the pixel. A lamp just outside it would shine into it otherwise.
+TUKOR_FN vec2 widePixelSample(uint seed, uint index, float width) {
+    return clamp(pixelSample(seed, index), vec2(0.5f * width), vec2(1.0f - 0.5f * width));
+}
+
 /// What chance does along the light path of a sample: see startTree.
 TUKOR_FN uint sampleSeed(uint seed, uint index) {
     return mixedBits(seed + index * 0x9e3779b9u);

@@ -167,7 +167,7 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 place = topLeft + ivec2(pixel.x, windowSize.y - 1 - pixel.y);
     uint seed = pixelSeed(uint(place.y * pictureWidth + place.x), pictureSeed);
-    vec2 jitter = centred ? vec2(0.5) : pixelSample(seed, frame);
+    vec2 jitter = centred ? vec2(0.5) : widePixelSample(seed, frame, footprintScale);
     seed = sampleSeed(seed, frame);
 
     Tree tree = startTree(cameraRay(pixel, jitter, footprintScale), seed);
