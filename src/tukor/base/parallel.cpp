@@ -3,7 +3,13 @@
 #include <algorithm>
 #include <memory>
 
-#ifdef TUKOR_HAS_TBB
+#ifdef __SANITIZE_THREAD__
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+#elif defined(TUKOR_HAS_TBB)
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -12,7 +18,44 @@
 
 namespace tukor {
 
-#ifdef TUKOR_HAS_TBB
+#ifdef __SANITIZE_THREAD__
+
+// ThreadSanitizer does not see how TBB synchronises: it is not compiled with it.
+
+namespace {
+std::atomic<int> threads = 4;
+}
+
+void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body) {
+    const int step = std::max(grain, 1);
+    std::atomic<int> next = begin;
+    std::mutex mutex;
+    std::exception_ptr error;
+    const auto work = [&] {
+        try {
+            for (int at = next.fetch_add(step); at < end; at = next.fetch_add(step))
+                body(at, std::min(at + step, end));
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            error = std::current_exception();
+        }
+    };
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(work);
+    work();
+    for (std::thread& other : others) other.join();
+    if (error) std::rethrow_exception(error);
+}
+
+void setThreadCount(int count) {
+    threads = count > 0 ? count : 4;
+}
+
+int threadCount() noexcept {
+    return threads;
+}
+
+#elif defined(TUKOR_HAS_TBB)
 
 namespace {
 std::unique_ptr<tbb::global_control> limit;

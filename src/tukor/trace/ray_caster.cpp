@@ -120,8 +120,14 @@ private:
     unsigned number_ = 0;  // that of the surface: empty ones leave a gap
 };
 
+#ifdef __SANITIZE_THREAD__
+constexpr const char* kEmbreeOptions = "threads=1";  // how its threads synchronise cannot be seen
+#else
+constexpr const char* kEmbreeOptions = "hugepages=1";
+#endif
+
 RayCaster::RayCaster(const SurfaceTable& surfaces) : embree_(std::make_unique<Embree>()) {
-    embree_->device = rtcNewDevice("hugepages=1");
+    embree_->device = rtcNewDevice(kEmbreeOptions);
     if (!embree_->device) throw Error("embree: this processor is not supported");
     embree_->scene = rtcNewScene(embree_->device);
     rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
