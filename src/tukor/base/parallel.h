@@ -7,8 +7,7 @@
 namespace tukor {
 
 /// Calls `body(begin, end)` on disjoint pieces of [begin, end), each at most `grain` long where
-/// there are threads, and
-/// waits for all.
+/// there are threads, and waits for all.
 ///
 /// Which thread runs which piece varies; results must not depend on it. An exception in a body is
 /// rethrown here.

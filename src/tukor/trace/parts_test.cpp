@@ -96,6 +96,21 @@ TEST(Sampler, PrefixesAreStratified) {
     }
 }
 
+TEST(Sampler, WideSamplesStayWithinTheirPixel) {
+    for (const float width : {0.05f, 0.35f, 0.7f}) {
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            const glm::vec2 p = transport::widePixelSample(7u, i, width);
+            const glm::vec2 narrow = transport::pixelSample(7u, i);
+            for (int axis = 0; axis < 2; ++axis) {
+                EXPECT_GE(p[axis], 0.5f * width);
+                EXPECT_LE(p[axis], 1.0f - 0.5f * width);
+                EXPECT_LE(std::abs(p[axis] - narrow[axis]),
+                          0.5f * width);  // no farther than need be
+            }
+        }
+    }
+}
+
 TEST(RayCaster, DoesNotSeeTheTriangleThatItLeaves) {
     const Scene scene = sceneOfShape("torus-knot", metal());
     const SurfaceTable surfaces(scene);
