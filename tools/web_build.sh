@@ -16,6 +16,7 @@ if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modu
     npm ci --no-audit --no-fund --ignore-scripts --loglevel=error
 fi
 rm -rf dist
-node_modules/.bin/esbuild src/tukor-view.js src/tukor-worker.js src/tukor-extras.js src/tukor-finish.js src/tukor-images.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
-    --outdir=dist --log-level=warning
-cp ../build/web/apps/web/*.wasm src/tukor-view.d.ts dist/
+# Draco's decoder asks for fs and path where it runs in Node.js.
+node_modules/.bin/esbuild src/tukor-view.js src/tukor-worker.js src/tukor-{extras,finish,images,unpack}.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
+    --external:fs --external:path --outdir=dist --log-level=warning
+cp ../build/web/apps/web/*.wasm node_modules/draco3dgltf/draco_decoder_gltf.wasm src/tukor-view.d.ts dist/

@@ -23,3 +23,6 @@ export function neighbourUris(json) {
 }
 
 export const imagesOf = (contents) => listOf(contents?.json?.images);
+
+/** By Draco or meshopt, which the page unpacks. */
+export const isCompressed = (contents) => listOf(contents?.json?.extensionsUsed).some((name) => /^(KHR_draco_mesh|EXT_meshopt)_compression$/.test(name));

@@ -1,24 +1,12 @@
 // Pictures on models, decoded by the browser; on its own so that only pages with some fetch it.
+import { fileOf, ofDataUri, viewBytes } from "./gltf-buffers.js";
 import { imagesOf } from "./gltf-json.js";
 
 const LARGEST = 4096; // texels a side: beyond, more memory than a phone's tab should be asked for
 
-/** Bytes of a data URI; null where it is none. */
-function ofDataUri(uri) {
-  const match = /^data:[^,]*?(;base64)?,(.*)$/s.exec(uri);
-  if (!match) return null;
-  const text = match[1] ? atob(match[2]) : decodeURIComponent(match[2]);
-  return Uint8Array.from(text, (c) => c.charCodeAt(0));
-}
-
-function encodedBytes(image, { json, binary }, files) {
-  if (typeof image?.uri === "string") return ofDataUri(image.uri) ?? files.find(([path]) => path === decodeURIComponent(image.uri))?.[1];
-  const view = json.bufferViews?.[image?.bufferView];
-  const buffer = json.buffers?.[view?.buffer];
-  if (!view || !buffer) return null;
-  const bytes = buffer.uri === undefined ? binary : (ofDataUri(buffer.uri) ?? files.find(([path]) => path === decodeURIComponent(buffer.uri))?.[1]);
-  const from = view.byteOffset ?? 0;
-  return bytes?.subarray(from, from + view.byteLength);
+function encodedBytes(image, contents, files) {
+  if (typeof image?.uri === "string") return ofDataUri(image.uri) ?? fileOf(image.uri, files);
+  return viewBytes(contents.json.bufferViews?.[image?.bufferView], contents, files);
 }
 
 async function bitmapOf(bytes) {

@@ -1,7 +1,7 @@
 // The side that computes: one element's library and WebGL context, answering the messages of link.js one after the other.
 import { Engine } from "./engine.js";
 import { readEnvironment } from "./environment-file.js";
-import { gltfContents, imagesOf } from "./gltf-json.js";
+import { gltfContents, imagesOf, isCompressed } from "./gltf-json.js";
 
 /** By what the file begins with, or else its name; everything else is for the second module to tell. */
 function isGltf(name, bytes) {
@@ -61,13 +61,14 @@ class Host {
   async model({ name, bytes, files = [], aspect, variant, seconds }) {
     const engine = this.#engine;
     if (bytes && isGltf(name, bytes)) {
-      engine.call("clear_files");
-      for (const [path, content] of files) engine.call("add_file", path, content, content.length);
       const contents = gltfContents(bytes);
+      const plain = isCompressed(contents) ? await (await import("./tukor-unpack.js")).unpack(name, contents, files) : { bytes, files };
+      engine.call("clear_files");
+      for (const [path, content] of plain.files) engine.call("add_file", path, content, content.length);
       if (imagesOf(contents).length > 0)
         await (await import("./tukor-images.js")).decodeImages(engine.gl, contents, files,
           (index, texels, width, height) => engine.call("add_image", index, texels, width, height));
-      engine.call("set_model", name, bytes, bytes.length, variant, seconds);
+      engine.call("set_model", name, plain.bytes, plain.bytes.length, variant, seconds);
     } else {
       const scene = await (await import("./tukor-extras.js")).model({ name, bytes, files });
       engine.call("set_scene", scene, scene.length);

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { open, picture } from "./browser.mjs";
+import { dracoFile, meshoptFile } from "./compressed.mjs";
 import { hdrFile } from "./light.mjs";
 import { pngRow, solidFile } from "./solid.mjs";
 
@@ -11,9 +12,20 @@ const textured = solidFile(matt({ baseColorTexture: { index: 0 } }), {
   // Red on the left, green on the right; the alpha of an opaque material says nothing, and must not darken its colours.
   image: pngRow([...Array(8).fill([230, 20, 20, 10]), ...Array(8).fill([20, 230, 20, 10])]),
 });
+/** Zeros from where the binary chunk begins. */
+function damaged(glb) {
+  return Buffer.from(glb).fill(0, 28 + glb.readUInt32LE(12));
+}
 const size = { width: 64, height: 64 };
 let browser;
-before(async () => (browser = await open({ "/test/light.hdr": hdrFile(64), "/test/textured.glb": textured, "/test/broken.glb": solidFile(matt({ baseColorTexture: { index: 0 } }), { image: Buffer.from("no picture") }) })));
+before(async () => {
+  const compressed = { draco: await dracoFile(textured), meshopt: await meshoptFile(textured) };
+  browser = await open({
+    "/test/light.hdr": hdrFile(64), "/test/textured.glb": textured, "/test/broken.glb": solidFile(matt({ baseColorTexture: { index: 0 } }), { image: Buffer.from("no picture") }),
+    "/test/draco.glb": compressed.draco, "/test/meshopt.glb": compressed.meshopt,
+    "/test/damaged-draco.glb": damaged(compressed.draco), "/test/damaged-meshopt.glb": damaged(compressed.meshopt),
+  });
+});
 after(() => browser.close());
 
 const show = (attributes, options = size) => browser.element({ environment: "light.hdr", fidelity: "single", "tone-map": "none", "camera-orbit": "0deg 90deg 4m", "camera-target": "0m 0m 0m", ...attributes }, options);
@@ -54,3 +66,22 @@ test("a picture that cannot be decoded is left out, and said", async () => {
   assert.deepEqual(await page.evaluate(() => window.said.filter(({ type }) => type === "error")), []);
   await page.context().close();
 });
+
+for (const kind of ["draco", "meshopt"])
+  test(`a model compressed by ${kind} gives the picture of the plain one, and a damaged one is said`, async () => {
+    const page = await show({ src: "textured.glb" });
+    const plain = await picture(page, { ...size, samples: 4 });
+    await page.evaluate((kind) => {
+      window.said.length = 0;
+      window.view.src = `${kind}.glb`;
+    }, kind);
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "load"));
+    const shown = await picture(page, { ...size, samples: 4 });
+    assert.deepEqual(shown.data, plain.data);
+    assert.deepEqual(await page.evaluate(() => window.said.filter(({ type }) => type === "error")), []);
+    await page.evaluate((kind) => (window.view.src = `damaged-${kind}.glb`), kind);
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "error"));
+    assert.match(await page.evaluate(() => window.said.find(({ type }) => type === "error").message), new RegExp(`^damaged-${kind}\\.glb: compressed data that cannot be read: .`));
+    assert.deepEqual(page.errors, []);
+    await page.context().close();
+  });

@@ -36,6 +36,10 @@ export function solidFile(material = GLASS, { other = null, image = null } = {})
     bufferViews,
     buffers: [{ byteLength: binary.length }],
   };
+  return glbFile(json, binary);
+}
+
+export function glbFile(json, binary) {
   let text = JSON.stringify(json);
   text += " ".repeat((4 - (text.length % 4)) % 4);
   const chunk = (type, bytes) => {

@@ -1,4 +1,5 @@
-// Stands in for Draco and meshoptimizer where they are not built: in browsers.
+// Stands in for Draco and meshoptimizer in browsers, where the page unpacks files before it hands
+// them over.
 #ifdef __EMSCRIPTEN__
 #include "tukor/scene/gltf_draco.h"
 #include "tukor/scene/gltf_meshopt.h"
@@ -6,11 +7,11 @@
 namespace tukor {
 
 Mesh dracoDecoded(const JsonItem& extension, std::span<const std::byte>, std::size_t, std::size_t) {
-    extension.fail("Draco compression is not supported in browsers");
+    extension.fail("Draco compression that extensionsUsed does not name");
 }
 
 std::vector<std::byte> meshoptDecoded(const JsonItem& extension, std::span<const std::byte>) {
-    extension.fail("meshopt compression is not supported in browsers");
+    extension.fail("meshopt compression that extensionsUsed does not name");
 }
 
 }  // namespace tukor
