@@ -26,6 +26,7 @@ export class TukorView extends HTMLElement {
   #speaking = 0;
   #loaded = false;
   #dismissed = false;
+  #failures = {}; // errors of what failed last: start, src, environment, frame
 
   constructor() {
     super();
@@ -163,7 +164,7 @@ export class TukorView extends HTMLElement {
   #start() {
     if (!this.#sources.nameOf("src", this.getAttribute("src"))) return null;
     const waits = this.getAttribute("reveal") === "manual" && this.getAttribute("loading") !== "eager" && !this.#dismissed;
-    if (!waits) this.#starting ??= this.#begin().catch((error) => this.#fail(error));
+    if (!waits) this.#starting ??= this.#begin().catch((error) => this.#fail(error, "start"));
     return this.#starting;
   }
 
@@ -171,6 +172,7 @@ export class TukorView extends HTMLElement {
   #forget() {
     this.#link = this.#starting = null;
     this.#loaded = false;
+    this.#failures = {};
     this.#player.stop();
     this.#sources.forget();
   }
@@ -224,22 +226,27 @@ export class TukorView extends HTMLElement {
   }
 
   async #load(what, attribute, send) {
+    delete this.#failures[what];
     try {
       const shown = await this.#sources.load(what, attribute, send, () => {
         if (!this.#loaded) this.#progress(0.95 * this.#sources.arrived);
       });
       if (!shown || !this.#link) return;
       if (what === "src") this.#loaded = false; // the next frame says `load` again
+      delete this.#failures.frame;
       this.#stage.say();
       this.#player.changed();
     } catch (error) {
-      if (this.#link) this.#fail(error);
+      if (this.#link) this.#fail(error, what);
     }
   }
 
+  /** Rejects where nothing is under way that could still load. */
   #whenLoaded() {
     this.#start();
     if (this.#loaded) return Promise.resolve();
+    const [failure] = Object.values(this.#failures);
+    if (failure) return Promise.reject(new Error(failure.message));
     return new Promise((resolve, reject) => {
       this.addEventListener("load", resolve, { once: true });
       this.addEventListener("error", (event) => reject(new Error(event.detail?.message ?? "not loaded")), { once: true });
@@ -301,7 +308,7 @@ export class TukorView extends HTMLElement {
         }
       },
       drawn: (frame) => view.#drawn(frame),
-      failed: (error) => view.#fail(error),
+      failed: (error) => view.#fail(error, "frame"),
     };
   }
 
@@ -336,8 +343,9 @@ export class TukorView extends HTMLElement {
     }
   }
 
-  #fail(error) {
+  #fail(error, what = null) {
     if (error.lost) return; // the context comes back, and all is sent again
+    if (what) this.#failures[what] = error;
     this.#stage.say(error.message);
     this.#tell("error", { message: error.message, sourceError: error });
   }
