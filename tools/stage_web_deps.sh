@@ -8,8 +8,8 @@ set -euo pipefail
 prefix=$1
 [ -e "$prefix/done" ] && exit 0
 rm -rf "$prefix"
-mkdir -p "$prefix/include" "$prefix/lib/cmake/glm" "$prefix/lib/cmake/nlohmann_json"
-cp -rL /usr/include/glm /usr/include/nlohmann "$prefix/include/"
+mkdir -p "$prefix/include" "$prefix/lib/cmake"/{glm,nlohmann_json,Imath}
+cp -rL /usr/include/{glm,nlohmann,Imath} "$prefix/include/"
 
 package() {  # CMake package, target, definitions
     cat >"$prefix/lib/cmake/$1/$1Config.cmake" <<END
@@ -23,4 +23,5 @@ END
 }
 package glm glm::glm ""
 package nlohmann_json nlohmann_json::nlohmann_json ""
+package Imath Imath::Imath IMATH_HALF_NO_LOOKUP_TABLE # the table is in its library
 touch "$prefix/done"

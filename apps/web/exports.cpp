@@ -115,7 +115,8 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_environment(const char* name, const std::byte
     return guarded([&] {
         const std::span file(bytes, static_cast<std::size_t>(size));
         if (!tukor::isRadiance(file))
-            throw Error(fmt::format("{}: not a picture: expected .hdr, .exr, .png or .jpg", name));
+            throw Error(fmt::format(
+                "{}: not a picture: expected .hdr, .exr, .png, .jpg, .ktx2, .ktx or .dds", name));
         return viewer->setPanorama(tukor::decodeRadiance(file, name)) ? 0 : 1;
     });
 }

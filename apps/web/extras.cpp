@@ -15,8 +15,10 @@
 #include "tukor/base/error.h"
 #include "tukor/base/memory_file.h"
 #include "tukor/environment/environment.h"
+#include "tukor/environment/texture_chain.h"
 #include "tukor/image/display.h"
 #include "tukor/image/radiance_file.h"
+#include "tukor/image/texture_file.h"
 #include "tukor/scene/model_file.h"
 
 namespace {
@@ -110,6 +112,19 @@ EMSCRIPTEN_KEEPALIVE int extras_environment_srgb(const char* name, const std::ui
             bytes += 4;
         }
         return keepCube(tukor::environmentFromPicture(name, std::move(picture)));
+    });
+}
+
+/// A texture file, its first level.
+EMSCRIPTEN_KEEPALIVE int extras_environment_texture(const char* name, const std::byte* bytes,
+                                                    int size) {
+    return guarded([&] {
+        tukor::TextureFile texture =
+            tukor::decodeTexture({bytes, static_cast<std::size_t>(size)}, name);
+        if (texture.faces == 1)
+            return keepCube(tukor::environmentFromPicture(name, std::move(texture.images.front())));
+        std::vector<std::string> repairs = tukor::repairFaces(name, texture);
+        return keepCube({name, tukor::cubeFromTexture(texture), std::move(repairs)});
     });
 }
 

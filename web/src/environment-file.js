@@ -1,12 +1,13 @@
 // Environment files that the browser or a lazily loaded decoder reads; the rest goes to the library as bytes.
 
 /**
- * What the library is to be given: `bytes` to decode itself (.hdr), linear `radiance` (three floats a pixel),
- * or `srgb` (four bytes a pixel).
+ * What the library is to be given: `bytes` to decode itself (.hdr), those of a `texture` (.ktx2 .ktx .dds), linear `radiance`
+ * (three floats a pixel), or `srgb` (four bytes a pixel).
  */
 export async function readEnvironment(name, bytes) {
   if (startsWith(bytes, [0x76, 0x2f, 0x31, 0x01])) return readExr(name, bytes);
   if (startsWith(bytes, [0x89, 0x50, 0x4e, 0x47]) || startsWith(bytes, [0xff, 0xd8])) return readPicture(name, bytes);
+  if (startsWith(bytes, [0xab, 0x4b, 0x54, 0x58]) || startsWith(bytes, [0x44, 0x44, 0x53, 0x20])) return { texture: bytes };
   return { bytes };
 }
 

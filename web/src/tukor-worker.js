@@ -81,7 +81,7 @@ class Host {
     const engine = this.#engine;
     const image = bytes && (await readEnvironment(name, bytes));
     this.#skyWarnings = [];
-    if (image) {
+    if (image && !image.texture) {
       const other =
         image.radiance ? engine.call("set_environment_radiance", name, image.radiance, image.width, image.height)
         : image.srgb ? engine.call("set_environment_srgb", name, image.srgb, image.width, image.height)

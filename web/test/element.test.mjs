@@ -7,7 +7,7 @@ import { solidFile } from "./solid.mjs";
 
 const truncated = hdrFile(64).subarray(0, 3000);
 let browser;
-before(async () => (browser = await open({ "/test/light.hdr": hdrFile(64), "/test/solid.glb": solidFile(), "/test/truncated.hdr": truncated, "/test/empty.glb": Buffer.alloc(0), "/test/wrong.glb": Buffer.from("not a model at all") })));
+before(async () => (browser = await open({ "/test/light.hdr": hdrFile(64), "/test/solid.glb": solidFile(), "/test/truncated.hdr": truncated, "/test/cut.ktx2": Buffer.from("\xabKTX 20\xbb\r\n\x1a\n", "latin1"), "/test/empty.glb": Buffer.alloc(0), "/test/wrong.glb": Buffer.from("not a model at all") })));
 after(() => browser.close());
 
 const small = { width: 96, height: 64 };
@@ -74,9 +74,21 @@ test("what is not understood is said, and the picture stays", async () => {
   assert.equal(await message(() => (window.view.src = "empty.glb")), "empty.glb: an empty file");
   assert.match(await message(() => (window.view.src = "wrong.glb")), /^wrong\.glb: /);
   assert.match(await message(() => (window.view.environment = "truncated.hdr")), /^truncated\.hdr: /);
+  assert.match(await message(() => (window.view.environment = "cut.ktx2")), /^cut\.ktx2: /);
   assert.match(await message(() => (window.view.environment = "moon")), /^moon: no such environment; built in are studio, sky/);
   const still = await picture(page, { ...small, samples: 1 });
   assert.equal(still.width, small.width);
+  await page.context().close();
+});
+
+test("render rejects where loading failed, until something loads", async () => {
+  const page = await element({ src: "missing.glb" });
+  const rendered = () => page.evaluate(() => window.view.render({ width: 8, height: 8, samples: 1 }).then(({ width }) => width, (error) => error.message));
+  assert.equal(await rendered(), "missing.glb: 404 Not Found");
+  await page.evaluate(() => (window.view.exposure = "1"));
+  assert.equal(await rendered(), "missing.glb: 404 Not Found");
+  await page.evaluate(() => (window.view.src = "solid.glb"));
+  assert.equal(await rendered(), 8);
   await page.context().close();
 });
 

@@ -17,9 +17,14 @@ const samples = 4;
 let browser, folder;
 before(async () => {
   const light = hdrFile(256);
-  browser = await open({ "/test/light.hdr": light });
+  const served = { "/test/light.hdr": light };
+  browser = await open(served);
   folder = await mkdtemp(join(tmpdir(), "tukor-"));
   await writeFile(join(folder, "light.hdr"), light);
+  for (const kind of ["none", "zstd"]) {
+    await promisify(execFile)(program, ["environment", "convert", "light.hdr", "-o", `${kind}.ktx2`, "--compression", kind], { cwd: folder });
+    served[`/test/${kind}.ktx2`] = await readFile(join(folder, `${kind}.ktx2`));
+  }
 });
 after(async () => {
   await browser.close();
@@ -37,7 +42,7 @@ async function decoded(page, png) {
   return Buffer.from(text, "base64");
 }
 
-for (const [src, material, environment] of [["torus-knot", "glass", "light.hdr"], ["brilliant", "diamond", "light.hdr"], ["tumbler", null, "studio"]])
+for (const [src, material, environment] of [["torus-knot", "glass", "light.hdr"], ["brilliant", "diamond", "light.hdr"], ["tumbler", null, "studio"], ["sphere", "gold", "none.ktx2"], ["sphere", "gold", "zstd.ktx2"]])
   test(`${src} in ${environment} looks as \`tukor render --renderer gl\` draws it`, async () => {
     const attributes = { src, environment, "max-depth": "8", "tone-map": "none", fidelity: "exact" };
     if (material) attributes.material = material;

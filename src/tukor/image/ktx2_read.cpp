@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <zstd.h>
 
 #include "tukor/base/error.h"
 #include "tukor/image/byte_reader.h"
@@ -10,6 +9,7 @@
 #include "tukor/image/ktx_values.h"
 #include "tukor/image/texel_format.h"
 #include "tukor/image/texture_shape.h"
+#include "tukor/image/zstd_frame.h"
 
 namespace tukor {
 
@@ -41,10 +41,7 @@ std::span<const std::byte> expanded(std::span<const std::byte> stored, std::uint
                                     std::vector<std::byte>& storage) {
     if (scheme == kNoSupercompression) return stored;
     storage.resize(size);
-    const std::size_t got =
-        ZSTD_decompress(storage.data(), storage.size(), stored.data(), stored.size());
-    if (ZSTD_isError(got) != 0)
-        throw Error(fmt::format("{}: damaged KTX2 file: {}", name, ZSTD_getErrorName(got)));
+    const std::size_t got = expandZstd(stored, storage, name);
     if (got != size)
         throw Error(fmt::format("{}: damaged KTX2 file: {} bytes in a level; expected {}", name,
                                 got, size));
