@@ -71,11 +71,11 @@ Scene sceneOf(const Subject& subject) {
     return scene;
 }
 
-RenderOptions quick(int maxDepth) {
+RenderOptions quick(int maxDepth, int samples) {
     RenderOptions options;
     options.width = 96;
     options.height = 54;
-    options.samples = 2;
+    options.samples = samples;
     options.maxDepth = maxDepth;
     options.background = Background::none;
     options.splitWeight = 0.0f;  // gl follows every branch; so does trace here
@@ -112,8 +112,9 @@ TEST_P(Renderers, DrawTheSamePicture) {
     const Scene scene = sceneOf(subject);
     const Environment light = loadEnvironment("studio");
     const Camera camera = framingCamera(scene, 16.0f / 9.0f);
-    for (const int depth : {8, 64}) {
-        const RenderOptions options = quick(depth);
+    // With one sample, in the middle of the pixel, gl begins with what the rasteriser found.
+    for (const auto [depth, samples] : {std::pair(8, 1), std::pair(8, 2), std::pair(64, 2)}) {
+        const RenderOptions options = quick(depth, samples);
         const Image a = gl::render(scene, light, camera, options).radiance;
         const Image b = trace::render(scene, light, camera, options).radiance;
         std::vector<bool> stable(a.pixels().size(), true);
@@ -131,14 +132,16 @@ TEST_P(Renderers, DrawTheSamePicture) {
         const auto keep = [&](std::size_t i) { return stable[i]; };
         const Image rowA = picked(a, b, keep);
         const Image rowB = picked(b, b, keep);
-        ASSERT_GT(rowA.width(), 300) << "too few pixels to say anything";
+        ASSERT_GT(rowA.width(), 250) << "too few pixels to say anything";
         const Comparison comparison = compareImages(rowA, rowB);
         EXPECT_GE(comparison.withinTwo8, depth == 8 ? 0.99 : subject.fullDepth)
             << "depth " << depth << ", " << rowA.width() << " pixels\n"
             << report(comparison);
-        RecordProperty(fmt::format("depth{}", depth), std::to_string(comparison.withinTwo8));
-        fmt::print("{} {} depth {}: {:.3f} % of {} pixels within 2 codes\n", subject.model,
-                   subject.material, depth, 100.0 * comparison.withinTwo8, rowA.width());
+        RecordProperty(fmt::format("depth{}samples{}", depth, samples),
+                       std::to_string(comparison.withinTwo8));
+        fmt::print("{} {} depth {}, {} samples: {:.3f} % of {} pixels within 2 codes\n",
+                   subject.model, subject.material, depth, samples, 100.0 * comparison.withinTwo8,
+                   rowA.width());
     }
 }
 

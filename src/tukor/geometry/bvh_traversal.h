@@ -33,6 +33,16 @@ struct BvhHit {
     float rank;    // of the triangle in the source's order: of equally near ones the first wins
 };
 
+TUKOR_FN BvhHit noBvhHit(float reach) {
+    BvhHit hit;
+    hit.t = reach;
+    hit.u = 0.0f;
+    hit.v = 0.0f;
+    hit.triangle = -1;
+    hit.rank = -1.0f;
+    return hit;
+}
+
 /// A ray, and the rows of the map that shears its direction onto the z axis with length 1.
 struct BvhRay {
     vec3 origin;
@@ -121,12 +131,7 @@ TUKOR_FN float bvhScale(uint exponents, uint axis) {
 /// length.
 TUKOR_FN BvhHit nearestBvhHit(TUKOR_BVH_PARAMETER vec3 origin, vec3 direction, float beyond,
                               float reach, int skip) {
-    BvhHit hit;
-    hit.t = reach;
-    hit.u = 0.0f;
-    hit.v = 0.0f;
-    hit.triangle = -1;
-    hit.rank = -1.0f;
+    BvhHit hit = noBvhHit(reach);
     BvhRay ray = bvhRay(origin, direction);
     vec3 inverse =
         vec3(bvhReciprocal(direction.x), bvhReciprocal(direction.y), bvhReciprocal(direction.z));

@@ -38,7 +38,7 @@ FrameBuffers::FrameBuffers(int width, int height)
     for (int i = 0; i < 2; ++i) sumFramebuffers_[i] = Framebuffer::make();
 }
 
-void FrameBuffers::makeTarget(Target& target, GLsizei samples) {
+void FrameBuffers::makeDepth(Target& target, GLsizei samples) {
     target.framebuffer = Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.id());
     target.depth = Renderbuffer::make();
@@ -47,6 +47,10 @@ void FrameBuffers::makeTarget(Target& target, GLsizei samples) {
                                      height_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                               target.depth.id());
+}
+
+void FrameBuffers::makeTarget(Target& target, GLsizei samples) {
+    makeDepth(target, samples);
     if (samples > 0) {
         target.colour = Renderbuffer::make();
         glBindRenderbuffer(GL_RENDERBUFFER, target.colour.id());
@@ -79,6 +83,21 @@ void FrameBuffers::endMultisampled() {
                       GL_NEAREST);
     const GLenum finished[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
     glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, 2, finished);
+}
+
+void FrameBuffers::beginFirstHits() {
+    if (firstHits_.id() == 0) {
+        makeDepth(firstHitsTarget_, 0);
+        firstHits_ = makePicture(GL_R32I, width_, height_);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, firstHits_.id(),
+                               0);
+        requireComplete(width_, height_);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, firstHitsTarget_.framebuffer.id());
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const GLint none[] = {-1, -1, -1, -1};
+    glClearBufferiv(GL_COLOR, 0, none);
 }
 
 void FrameBuffers::bindNextSum(Counting counting) {

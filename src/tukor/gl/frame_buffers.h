@@ -1,5 +1,5 @@
 // Where frames are drawn and summed: a 4x multisampled half-float picture with depth, its resolved
-// copy, and the sum of all frames so far in 32-bit floats.
+// copy, the sum of all frames so far in 32-bit floats, and the triangle that each pixel shows.
 #pragma once
 #include "tukor/gl/handles.h"
 
@@ -23,6 +23,10 @@ public:
     /// Resolves what was drawn since begin; frame() has it then.
     void endMultisampled();
 
+    /// Binds the numbers of the triangles that the pixels show, and clears them: -1, none.
+    void beginFirstHits();
+    [[nodiscard]] const Texture& firstHits() const noexcept { return firstHits_; }
+
     /// Binds the target of the next sum, and of the next counts where they are wanted; sum() is
     /// the one before until swapSums().
     void bindNextSum(Counting counting);
@@ -41,6 +45,7 @@ private:
         Renderbuffer colour;  // multisampled targets only
         Renderbuffer depth;
     };
+    void makeDepth(Target& target, GLsizei samples);
     void makeTarget(Target& target, GLsizei samples);
 
     int width_ = 0;
@@ -49,6 +54,8 @@ private:
     Texture frame_;
     Target multisampled_;
     Target plain_;
+    Texture firstHits_;
+    Target firstHitsTarget_;
     Texture sums_[2];
     Texture counts_[2];
     Framebuffer sumFramebuffers_[2];

@@ -102,13 +102,19 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
     glViewport(0, 0, window.width, window.height);
     glDisable(GL_SCISSOR_TEST);
     if (rasterised) drawRasterised(subject, looks, point);
+    const View view = tracedView(subject, point);
+    if (traced && firstHitsHelp(subject)) {
+        setState(true);
+        buffers_.beginFirstHits();
+        traced_.drawFirstHits(tracedScene_, view);
+    }
     buffers_.bindNextSum(rasterised ? Counting::none : counting_);
     setState(false);
     for (const Look& look : looks) {
         if (look.fidelity == Fidelity::single)
             accumulate(look);
         else
-            drawTraced(subject, look, point);
+            drawTraced(subject, look, view);
     }
     buffers_.swapSums();
     ++frames_;
@@ -218,33 +224,46 @@ float Renderer::unitsPerRadiance(const Subject& subject) const {
     return 1.0f / (environment_.scale() * std::max(intensity, 1e-6f));
 }
 
-void Renderer::drawTraced(const Subject& subject, const Look& look, glm::vec2 point) {
+View Renderer::tracedView(const Subject& subject, glm::vec2 point) const {
+    return viewOf(subject.camera, subject.window, tracedScene_.finished() ? point : glm::vec2(0.0f),
+                  bounds_);
+}
+
+bool Renderer::centred(const Subject& subject) const {
+    return tracedScene_.finished() || subject.options.picture.samples.value_or(0) == 1;
+}
+
+bool Renderer::firstHitsHelp(const Subject& subject) const {
+    return centred(subject) && liesBeyondNearPlane(subject.camera, bounds_);
+}
+
+void Renderer::drawTraced(const Subject& subject, const Look& look, const View& view) {
     if (!tracedScene_.ready()) throw Error("the scene was prepared for fidelity single alone");
     const RenderOptions& picture = subject.options.picture;
     const bool finished = tracedScene_.finished();
-    const View view =
-        viewOf(subject.camera, subject.window, finished ? point : glm::vec2(0.0f), bounds_);
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
     // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
     constexpr float kFootprint = 0.7f;
     // From there on a sample is small enough for few to graze: see docs/notes/rims.md.
     constexpr float kSplitFrom = 64.0f;
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
-    constexpr TracedDrawer::Units kUnits{7, 9, 10};  // after the environment and the scene
+    constexpr TracedDrawer::Units kUnits{7, 9, 10, 12};  // after the environment and the scene
     bindTexture(kUnits.sum, buffers_.sum());
     bindTexture(kUnits.sum + 1, buffers_.counts());
     if (finished) {
         bindTexture(kUnits.raster, buffers_.frame());
         lightChain_.bind(kUnits.chain);
     }
+    if (firstHitsHelp(subject)) bindTexture(kUnits.firstHits, buffers_.firstHits());
     const bool count = counting_ == Counting::all && !subject.options.comparison;
-    traced_.draw(tracedScene_, environment_,
-                 {view, subject.window, picture, look.fidelity, look.fresnel,
-                  environmentFromWorld(picture.environmentRotation),
-                  kFootprint / std::sqrt(samples), picture.splitGrazing && samples >= kSplitFrom,
-                  frames_, lights_, unitsPerRadiance(subject)},
-                 count ? Counting::all : Counting::none, kUnits,
-                 {look.left, 0, look.right - look.left, subject.window.height});
+    traced_.draw(
+        tracedScene_, environment_,
+        {view, subject.window, picture, look.fidelity, look.fresnel,
+         environmentFromWorld(picture.environmentRotation), kFootprint / std::sqrt(samples),
+         picture.splitGrazing && samples >= kSplitFrom, frames_, centred(subject),
+         firstHitsHelp(subject), lights_, unitsPerRadiance(subject)},
+        count ? Counting::all : Counting::none, kUnits,
+        {look.left, 0, look.right - look.left, subject.window.height});
 }
 
 void Renderer::present(const DisplayOptions& options, const Viewport& viewport) {

@@ -127,7 +127,10 @@ private:
     [[nodiscard]] std::vector<Look> askedLooks(const Subject& subject) const;
     void drawRasterised(const Subject& subject, const std::vector<Look>& looks, glm::vec2 point);
     void accumulate(const Look& look);
-    void drawTraced(const Subject& subject, const Look& look, glm::vec2 point);
+    [[nodiscard]] View tracedView(const Subject& subject, glm::vec2 point) const;
+    [[nodiscard]] bool centred(const Subject& subject) const;
+    [[nodiscard]] bool firstHitsHelp(const Subject& subject) const;
+    void drawTraced(const Subject& subject, const Look& look, const View& view);
     [[nodiscard]] float unitsPerRadiance(const Subject& subject) const;
 
     [[nodiscard]] float radiancePerSum() const;

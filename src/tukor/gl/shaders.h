@@ -10,6 +10,8 @@ extern const ShaderSource backgroundShellVert;
 extern const ShaderSource backgroundVert;
 extern const ShaderSource finishFrag;
 extern const ShaderSource finishVert;
+extern const ShaderSource firstHitFrag;
+extern const ShaderSource firstHitVert;
 extern const ShaderSource fullViewportVert;
 extern const ShaderSource presentFrag;
 extern const ShaderSource surfaceFrag;

@@ -40,6 +40,12 @@ const Program& TracedDrawer::programFor(Fidelity fidelity, FresnelForm fresnel,
         .first->second;
 }
 
+void TracedDrawer::drawFirstHits(const TracedScene& scene, const View& view) {
+    if (!firstHitProgram_) firstHitProgram_.emplace(shaders::firstHitVert, shaders::firstHitFrag);
+    firstHitProgram_->set("clipFromWorld", view.clipFromWorld);
+    scene.drawTriangles(*firstHitProgram_);
+}
+
 void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environment,
                         const Frame& frame, Counting counting, const Units& units,
                         const Region& region) {
@@ -69,7 +75,9 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     }
     program.set("first", frame.number == 0 ? 1 : 0);
     program.set("frame", static_cast<std::uint32_t>(frame.number));
-    program.set("centred", scene.finished() || options.samples.value_or(0) == 1 ? 1 : 0);
+    program.set("centred", frame.centred ? 1 : 0);
+    program.set("firstHitsKnown", frame.firstHitsKnown ? 1 : 0);
+    program.set("firstHits", units.firstHits);
     program.set("splitGrazing", frame.splitGrazing ? 1 : 0);
     program.set("pictureSeed", options.seed);
     const PictureWindow& window = frame.window;

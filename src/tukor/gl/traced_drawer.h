@@ -1,6 +1,7 @@
 // Fidelity `double` and `exact`: the light-path tree of every pixel, traced in a fragment shader.
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,15 +27,18 @@ public:
         float footprintScale;  // distance of neighbouring samples, in pixels
         bool splitGrazing;     // see transport/grazing.h
         int number;            // 0: the first of the sum
+        bool centred;          // looks through the middles of pixels
+        bool firstHitsKnown;   // drawn by drawFirstHits() with the same view
         const std::vector<Light>& lights;
         float emissionFactor;  // from radiance to units of the frame
     };
     /// Texture units of what the renderer has bound: the sum, its counts beside it, what was drawn
-    /// of surfaces with a finish, the light chain and its table.
+    /// of surfaces with a finish, the light chain and its table, the first hits.
     struct Units {
         int sum;
         int raster;
         int chain;
+        int firstHits;
     };
     /// The region of the bound framebuffer to draw.
     struct Region {
@@ -43,6 +47,10 @@ public:
         int width;
         int height;
     };
+
+    /// The triangle in the middle of every pixel, into the bound numbers. All of the scene lies
+    /// beyond the near plane.
+    void drawFirstHits(const TracedScene& scene, const View& view);
 
     /// Adds the frame to the sum and writes the result into the bound framebuffer; in tiles, so
     /// that no draw call lasts long. Where the scene has finishes all pixels look through the same
@@ -54,6 +62,7 @@ private:
     const Program& programFor(Fidelity fidelity, FresnelForm fresnel, const ShaderSource& shader,
                               std::string_view sceneDefines, Counting counting);
 
+    std::optional<Program> firstHitProgram_;
     std::map<std::string, Program> programs_;  // by their defines; compiled when first used
 };
 

@@ -80,6 +80,14 @@ void TracedScene::setMaterials(const std::vector<Material>& materials) {
     eyeKnown_ = false;
 }
 
+void TracedScene::drawTriangles(const Program& program) const {
+    bindTexture(0, triangles_);
+    program.set("bvhTriangles", 0);
+    program.use();
+    glBindVertexArray(0);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(bvh_.triangles.size()));
+}
+
 void TracedScene::bind(const Program& program, int unit, glm::vec3 eye) {
     if (!eyeKnown_ || eye != eye_) {
         eye_ = eye;

@@ -33,6 +33,9 @@ public:
         return finishes_ ? finishes_->defines() : "";
     }
 
+    /// Draws all triangles in the order of the tree, with first_hit.vert as the vertex shader.
+    void drawTriangles(const Program& program) const;
+
     /// Binds the textures from `unit` on, six of them, and sets the uniforms of traced.frag that
     /// belong to the scene; `eye` decides the media that a camera ray starts in.
     void bind(const Program& program, int unit, glm::vec3 eye);

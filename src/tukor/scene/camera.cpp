@@ -44,6 +44,14 @@ ClipPlanes clipPlanesFor(const Camera& camera, const Bounds& bounds) noexcept {
     return planes;
 }
 
+bool liesBeyondNearPlane(const Camera& camera, const Bounds& bounds) noexcept {
+    const glm::vec3 forward = axesOf(camera).forward;
+    const glm::vec3 half = 0.5f * (bounds.most - bounds.least);
+    const float nearest =
+        glm::dot(bounds.centre() - camera.eye, forward) - glm::dot(half, glm::abs(forward));
+    return nearest > clipPlanesFor(camera, bounds).nearDistance;
+}
+
 glm::mat4 cameraFromWorld(const Camera& camera) noexcept {
     const CameraAxes axes = axesOf(camera);
     glm::mat4 matrix(1.0f);

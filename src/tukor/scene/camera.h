@@ -42,6 +42,9 @@ struct ClipPlanes {
 /// than depth buffers of 24 bits stand (1 : 10,000).
 [[nodiscard]] ClipPlanes clipPlanesFor(const Camera& camera, const Bounds& bounds) noexcept;
 
+/// Whether no part of the box is cut off by the nearer of those planes.
+[[nodiscard]] bool liesBeyondNearPlane(const Camera& camera, const Bounds& bounds) noexcept;
+
 /// The lecture's V for column vectors: world to camera, which looks down -Z with +Y up.
 [[nodiscard]] glm::mat4 cameraFromWorld(const Camera& camera) noexcept;
 

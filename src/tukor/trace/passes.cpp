@@ -108,7 +108,8 @@ void Passes::tile(int number) {
         if (jobScale != scale && !batch.empty()) flush();
         scale = jobScale;
         for (std::uint32_t s = job.from; s < job.to; ++s) {
-            const glm::vec2 place = transport::widePixelSample(seed, s, scale);
+            const glm::vec2 place =
+                goals_.samples == 1 ? glm::vec2(0.5f) : transport::widePixelSample(seed, s, scale);
             batch.push_back({static_cast<float>(job.x) + place.x,
                              static_cast<float>(job.y) + place.y,
                              static_cast<int>(i),

@@ -38,7 +38,9 @@ uniform int mostLookUps;  // that one deposit is worth
 uniform float weightCutoff;
 uniform uint frame;
 uniform bool splitGrazing;  // see grazing.h
-uniform bool centred;      // the one sample of a pixel is its centre
+uniform bool centred;      // samples lie in the middles of pixels
+uniform bool firstHitsKnown;  // what they show is known:
+uniform highp isampler2D firstHits;  // the number of the triangle, -1 for none
 uniform uint pictureSeed;
 uniform ivec2 topLeft;     // of the window's pixels in the picture
 uniform ivec2 windowSize;
@@ -56,9 +58,19 @@ layout(location = 1) out vec4 counts;  // rays, leaks, inconsistencies, truncate
 #include "tukor/gl/shaders/finish_hit.glsl"
 #endif
 
+const int kUnknown = -2;
+
+// `known`, unless that is kUnknown or the ray passes just beside it.
+BvhHit nearestTriangle(Branch ray, float beyond, int known) {
+    BvhHit hit = noBvhHit(1e30);
+    if (known >= 0) bvhTriangle(known, bvhRay(ray.origin, ray.direction), beyond, hit);
+    if (known == -1 || hit.triangle >= 0) return hit;
+    return nearestBvhHit(ray.origin, ray.direction, beyond, 1e30, ray.skip);
+}
+
 // The nearest sphere or triangle. A sphere is met in the middle of its one triangle.
-BvhHit nearestHit(Branch ray, float beyond) {
-    BvhHit hit = nearestBvhHit(ray.origin, ray.direction, beyond, 1e30, ray.skip);
+BvhHit nearestHit(Branch ray, float beyond, int known) {
+    BvhHit hit = nearestTriangle(ray, beyond, known);
     for (int i = 0; i < sphereCount; i++) {
         int name = kFirstSphere + i;
         float t = sphereDistance(ray.origin, ray.direction, spheres[2 * i].xyz, spheres[2 * i].w, beyond, ray.skip == name);
@@ -197,7 +209,9 @@ void main() {
             rounding = exactSoFar();
         } else {
             tree.rays++;
-            BvhHit found = nearestHit(tree.branch, rounding.beyond);
+            bool rasterised = firstHitsKnown && tree.rays == 1 && finer == 0;
+            int known = rasterised ? texelFetch(firstHits, pixel, 0).x : kUnknown;
+            BvhHit found = nearestHit(tree.branch, rounding.beyond, known);
             bool any = found.triangle >= 0;
             SurfaceHit hit = surfaceHit(found, tree.branch);
             Encounter met = encounter(tree.branch, hit);
