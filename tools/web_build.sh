@@ -16,7 +16,10 @@ if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modu
     npm ci --no-audit --no-fund --ignore-scripts --loglevel=error
 fi
 rm -rf dist
-# Draco's decoder asks for fs and path where it runs in Node.js.
-node_modules/.bin/esbuild src/tukor-view.js src/tukor-worker.js src/tukor-{extras,finish,images,unpack}.js src/hdrify.js --bundle --splitting --format=esm --minify --target=es2022 \
-    --external:fs --external:path --outdir=dist --log-level=warning
+bundle() {
+    node_modules/.bin/esbuild "$@" --bundle --format=esm --minify --target=es2022 --outdir=dist --log-level=warning
+}
+# Others' decoders by themselves, lest what only they need becomes part of what every page fetches; Draco's asks for fs and path in Node.js.
+bundle src/{draco,hdrify,ktx2-zstd,meshopt}.js --external:fs --external:path
+bundle src/tukor-{view,worker,extras,finish,images,unpack}.js --splitting --external:./{draco,hdrify,ktx2-zstd,meshopt}.js
 cp ../build/web/apps/web/*.wasm node_modules/draco3dgltf/draco_decoder_gltf.wasm src/tukor-view.d.ts dist/

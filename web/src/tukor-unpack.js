@@ -32,7 +32,7 @@ export async function unpack(name, contents, files) {
 }
 
 async function unpackMeshopt(json, bytesOf, put) {
-  const { MeshoptDecoder: decoder } = await import("meshoptimizer/decoder");
+  const { MeshoptDecoder: decoder } = await import("./meshopt.js");
   await decoder.ready;
   for (const [i, view] of json.bufferViews.entries()) {
     const packed = view.extensions?.EXT_meshopt_compression;
@@ -47,7 +47,7 @@ async function unpackMeshopt(json, bytesOf, put) {
 }
 
 async function unpackDraco(json, bytesOf, put) {
-  const [{ default: create }, module] = await Promise.all([import("draco3dgltf/draco_decoder_gltf_nodejs.js"), compiled("draco_decoder_gltf.wasm", import.meta.url)]);
+  const [{ default: create }, module] = await Promise.all([import("./draco.js"), compiled("draco_decoder_gltf.wasm", import.meta.url)]);
   const draco = await create({ // anew for each model: a damaged stream may leave it unusable, and nothing has to be freed
     instantiateWasm(imports, done) {
       WebAssembly.instantiate(module, imports).then(done);
