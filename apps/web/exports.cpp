@@ -83,10 +83,12 @@ EMSCRIPTEN_KEEPALIVE int tukor_add_image(int index, const std::uint8_t* rgba, in
 
 /// A glTF or GLB file; `seconds` below zero is none.
 EMSCRIPTEN_KEEPALIVE int tukor_set_model(const char* name, const std::byte* bytes, int size,
-                                         const char* variant, double seconds) {
+                                         const char* variant, const char* animation,
+                                         double seconds) {
     return guarded([&] {
         tukor::ModelOptions options;
         options.variant = variant;
+        options.animation = animation;
         if (seconds >= 0.0) options.timeSeconds = seconds;
         viewer->setScene(tukor::loadGltf(name, {bytes, static_cast<std::size_t>(size)}, options));
         tukor::forgetMemoryFiles();

@@ -18,12 +18,12 @@ export const FIGURES = {
 export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 
 /** Of these the model is read anew. */
-export const MODEL = ["src", "variant", "time-seconds"];
+export const MODEL = ["src", "variant", "animation"];
 
 /** Of these the library is told at once. */
 export const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(FIGURES)].filter((name) => !MODEL.includes(name));
 
-const FLAGS = ["auto-rotate", "camera-controls"];
+const FLAGS = ["auto-rotate", "autoplay", "camera-controls"];
 export const ATTRIBUTES = [...new Set([...OPTIONS, ...CAMERA, ...MODEL, ...FLAGS, "environment", "material", "alt", "poster", "loading", "reveal"])];
 
 export function figureOf(element, name) {

@@ -22,6 +22,10 @@ export function neighbourUris(json) {
   return [...listOf(json?.buffers), ...listOf(json?.images)].map((item) => item?.uri).filter((uri) => typeof uri === "string" && !uri.startsWith("data:"));
 }
 
+/** [{name, duration}]; one lasts until the last moment of its samplers. */
+export const animationsOf = ({ json }) => listOf(json.animations).map(({ name = "", samplers }) => (
+  { name, duration: Math.max(0, ...listOf(samplers).map(({ input }) => json.accessors[input].max?.[0] || 0)) }));
+
 export const imagesOf = (contents) => listOf(contents?.json?.images);
 
 /** By Draco or meshopt, which the page unpacks. */

@@ -2,7 +2,7 @@
 
 const REST_SAMPLES = 256; // frames accumulated at rest; the picture no longer changes visibly after that
 const AUTO_ROTATE = Math.PI / 16; // rad/s
-const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+export const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Player {
   samples = 0; // a pixel, in the picture at rest
@@ -16,8 +16,8 @@ export class Player {
   #last = 0;
 
   /**
-   * `host` has: `awake`, whether anything is to be drawn; `turns`, whether by itself; `size`; `ask(values)` draws and gives the samples; `drawn(frame)` and
-   * `failed(error)` hear of it.
+   * `host` has: `awake`, whether anything is to be drawn; `turns`, whether by itself; `size`; `advance(seconds)`, after which the model moves or not;
+   * `ask(values)` draws and gives the samples; `drawn(frame)` and `failed(error)` hear of it.
    */
   constructor(camera, host) {
     this.#camera = camera;
@@ -53,9 +53,12 @@ export class Player {
     this.#frame = 0;
     if (!host.awake) return;
     const turns = host.turns && !reducedMotion.matches;
-    const moving = this.#moveCamera(now, turns);
+    const seconds = (now - this.#last) / 1000;
+    this.#last = now;
+    const moving = this.#moveCamera(Math.min(seconds, 0.1), now, turns);
+    const plays = host.advance(Math.max(seconds, 0));
     this.size = host.size;
-    const coarse = this.#restart || moving; // a quick one first, then all of it
+    const coarse = this.#restart || moving || plays; // a quick one first, then all of it
     this.#restart = false;
     this.#drawing = true;
     let samples;
@@ -74,10 +77,8 @@ export class Player {
   }
 
   /** Eases the camera towards its goal; whether it moved. */
-  #moveCamera(now, turns) {
+  #moveCamera(seconds, now, turns) {
     const camera = this.#camera;
-    const seconds = Math.min((now - this.#last) / 1000, 0.1);
-    this.#last = now;
     const turning = turns && now - this.movedAt > 3000;
     if (turning) camera.rotate(AUTO_ROTATE * seconds, 0);
     const before = camera.view();

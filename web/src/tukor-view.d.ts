@@ -8,6 +8,8 @@ export interface TukorViewEventMap {
   /** Something could not be loaded or understood; the picture before stays. */
   error: CustomEvent<{ message: string; sourceError: Error }>;
   "camera-change": CustomEvent<{ source: "user-interaction" | "none" }>;
+  play: CustomEvent<undefined>;
+  pause: CustomEvent<undefined>;
   /** A frame was drawn; `samples` a pixel are accumulated at rest. */
   frame: CustomEvent<{ samples: number; moving: boolean }>;
 }
@@ -23,7 +25,7 @@ export interface StillOptions {
 export declare class TukorView extends HTMLElement {
   /** URL of a .glb, .gltf, .obj, .ply or .stl, or a built-in shape: sphere, torus-knot, teapot, brilliant, tumbler, water. */
   src: string | null;
-  /** URL of an .hdr, .exr, .png or .jpg, or a built-in: studio, sky. */
+  /** URL of an .hdr, .exr, .png, .jpg, .ktx2, .ktx or .dds, or a built-in: studio, sky. */
   environment: string | null;
   /** About +Y, "30deg". */
   environmentRotation: string | null;
@@ -34,7 +36,11 @@ export declare class TukorView extends HTMLElement {
   material: string | null;
   /** One of the model's own looks (KHR_materials_variants), by name. */
   variant: string | null;
-  /** A moment of the model's first animation; as modelled unless given. */
+  /** One of the model's animations, by name, or else by number from 0; the first unless given. */
+  animation: string | null;
+  /** Plays it once it is there, but not for those who ask for less motion. */
+  autoplay: boolean;
+  /** A moment of the animation; as modelled unless given. */
   timeSeconds: string | null;
   /** single, double or exact. */
   fidelity: string | null;
@@ -64,6 +70,15 @@ export declare class TukorView extends HTMLElement {
   /** The `tukor render` command for the present view. */
   readonly command: string;
 
+  readonly availableAnimations: string[];
+  /** Of the animation, in seconds; 0 where there is none. */
+  readonly duration: number;
+  readonly paused: boolean;
+  currentTime: number;
+
+  /** Round and round, from the present moment on. */
+  play(): void;
+  pause(): void;
   jumpCameraToGoal(): void;
   getCameraOrbit(): { theta: number; phi: number; radius: number; toString(): string };
   getCameraTarget(): { x: number; y: number; z: number; toString(): string };

@@ -1,11 +1,12 @@
 // <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed behind link.js.
 import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, cameraGoal, figureOf, reflect, upgrade } from "./attributes.js";
+import { Clock } from "./clock.js";
 import { renderCommand } from "./command.js";
 import { listen, spokenView } from "./controls.js";
 import { neighbours } from "./files.js";
 import { Link } from "./link.js";
 import { OrbitCamera } from "./orbit-camera.js";
-import { Player } from "./player.js";
+import { Player, reducedMotion } from "./player.js";
 import { Sources } from "./sources.js";
 import { Stage } from "./stage.js";
 import { blobOf, dataUrlOf } from "./stills.js";
@@ -16,12 +17,14 @@ export class TukorView extends HTMLElement {
   #stage = new Stage(this.attachShadow({ mode: "open" }));
   #camera = new OrbitCamera();
   #sources = new Sources();
+  #clock = new Clock();
   #player = new Player(this.#camera, this.#playerHost());
   #link = null;
   #starting = null;
   #stop = null; // AbortController of everything that listens while connected
   #controlled = null; // the same for the camera's controls
   #parts = [];
+  #animations = [];
   #visible = false;
   #speaking = 0;
   #loaded = false;
@@ -64,6 +67,7 @@ export class TukorView extends HTMLElement {
     if (name === "src" && this.#visible) this.#start();
     if (name === "auto-rotate") this.#player.wake();
     if (!this.#link) return;
+    if (name === "autoplay") this.#autoplay();
     if (MODEL.includes(name)) this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
     else if (name === "material") this.#guard(() => this.#materials());
@@ -86,11 +90,27 @@ export class TukorView extends HTMLElement {
   /** The `tukor render` command that gives the present view; files are named as the page names them. */
   get command() {
     if (!this.#loaded) return "";
-    const options = [...Object.keys(CHOICES), "variant"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
+    const options = [...Object.keys(CHOICES), "variant", "animation"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
+    if (this.#clock.seconds >= 0) options.push(["--time-seconds", this.#clock.seconds]);
     for (const name of Object.keys(FIGURES))
-      if (this.hasAttribute(name)) options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
+      if (this.hasAttribute(name) && name !== "time-seconds") options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
     return renderCommand({ ...this.#sources.names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#player.size });
   }
+
+  /** Names of the model's animations; `animation` chooses one. */
+  get availableAnimations() { return this.#animations.map(({ name }) => name); }
+
+  /** Of the animation, in seconds. */
+  get duration() { return this.#clock.duration; }
+  get paused() { return this.#clock.paused; }
+  get currentTime() { return Math.max(this.#clock.seconds, 0); }
+  set currentTime(seconds) {
+    this.#clock.seconds = Number(seconds);
+    this.#player.changed();
+  }
+
+  play() { this.#run(true); }
+  pause() { this.#run(false); }
 
   /** Ends the easing of the camera: the view is its goal from the next frame on. */
   jumpCameraToGoal() {
@@ -134,7 +154,7 @@ export class TukorView extends HTMLElement {
     if (!(width >= 1 && height >= 1 && width <= 16384 && height <= 16384))
       throw new RangeError(`size ${width} x ${height}: expected 1 to 16384 pixels a side`);
     await this.#whenLoaded();
-    const bytes = await this.#link.ask("still", { view: this.#camera.view(), width, height, samples });
+    const bytes = await this.#link.ask("still", { view: this.#camera.view(), width, height, samples, seconds: this.#clock.seconds });
     this.#player.changed();
     return new ImageData(new Uint8ClampedArray(bytes.buffer), width, height);
   }
@@ -209,12 +229,20 @@ export class TukorView extends HTMLElement {
     return this.#load("src", this.getAttribute("src"), async ({ name, bytes, url }, current) => {
       const files = bytes ? await neighbours(bytes, name, url) : [];
       if (!current()) return;
-      const wanted = { name, bytes, files, aspect: this.#stage.aspect, variant: this.getAttribute("variant") ?? "", seconds: figureOf(this, "time-seconds") };
-      const { framing, parts } = await this.#link.ask("model", wanted, bytes ? [bytes.buffer] : []);
+      const [variant, animation] = ["variant", "animation"].map((attribute) => this.getAttribute(attribute) ?? "");
+      const same = this.#sources.isReady("src") && this.#sources.names.src === this.#sources.nameOf("src", this.getAttribute("src"));
+      if (!same) this.#clock.seconds = figureOf(this, "time-seconds");
+      const { seconds } = this.#clock;
+      const { framing, parts, animations } = await this.#link.ask("model", { name, bytes, files, aspect: this.#stage.aspect, variant, animation, seconds }, bytes ? [bytes.buffer] : []);
       if (!current()) return;
       this.#parts = parts;
+      this.#animations = animations;
+      const { duration = 0 } = animations.find(({ name }) => name === animation) ?? animations[animation || 0] ?? {};
+      this.#clock.duration = duration;
       this.#guard(() => this.#materials());
-      if (this.#sources.isReady("src") && this.#sources.names.src === this.#sources.nameOf("src", this.getAttribute("src"))) return; // another look of the same: the view stays
+      if (same) return; // another look of the same: the view stays
+      this.#clock.paused = true;
+      this.#autoplay();
       this.#camera.frame(framing);
       for (const attribute of CAMERA) this.#guard(() => this.#aim(attribute));
       this.#camera.jump();
@@ -253,6 +281,18 @@ export class TukorView extends HTMLElement {
     });
   }
 
+  #run(runs) {
+    if (runs && !this.#clock.duration) return;
+    this.#clock.paused = !runs;
+    this.#tell(runs ? "play" : "pause");
+    this.#player.changed();
+  }
+
+  /** Not for those who ask for less motion. */
+  #autoplay() {
+    if (this.hasAttribute("autoplay") && !reducedMotion.matches) this.play();
+  }
+
   // ---- attributes ----
 
   #materials() {
@@ -262,6 +302,7 @@ export class TukorView extends HTMLElement {
   #option(name) {
     if (name in CHOICES) return this.#link.ask("option", { name, text: (this.getAttribute(name) ?? CHOICES[name]).trim() });
     if (name === "exposure") return this.#link.ask("exposure", { stops: figureOf(this, name) });
+    if (name === "time-seconds") return (this.#clock.seconds = figureOf(this, name));
     if (name === "max-depth") return this.#link.ask("depth", { depth: figureOf(this, name) });
     return this.#link.ask("light", { rotation: figureOf(this, "environment-rotation"), intensity: figureOf(this, "environment-intensity") });
   }
@@ -297,10 +338,11 @@ export class TukorView extends HTMLElement {
       get awake() { return Boolean(view.#link) && view.#visible && !document.hidden && view.#sources.allReady; },
       get turns() { return view.hasAttribute("auto-rotate"); },
       get size() { return view.#stage.size; },
+      advance: (seconds) => view.#clock.advance(seconds),
       async ask(values) {
         const link = view.#link;
         try {
-          const samples = await link.ask("frame", values);
+          const samples = await link.ask("frame", { ...values, seconds: view.#clock.seconds });
           return link === view.#link && this.awake ? samples : null;
         } catch (error) {
           if (link === view.#link && this.awake) throw error;

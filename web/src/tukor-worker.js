@@ -1,7 +1,7 @@
 // The side that computes: one element's library and WebGL context, answering the messages of link.js one after the other.
 import { Engine } from "./engine.js";
 import { readEnvironment } from "./environment-file.js";
-import { gltfContents, imagesOf, isCompressed } from "./gltf-json.js";
+import { animationsOf, gltfContents, imagesOf, isCompressed } from "./gltf-json.js";
 
 /** By what the file begins with, or else its name; everything else is for the second module to tell. */
 function isGltf(name, bytes) {
@@ -15,6 +15,8 @@ class Host {
   #engine = null;
   #module = null;
   #skyWarnings = [];
+  #model = null; // what an animated one is read from at every moment
+  #materials = "";
   #tail = Promise.resolve();
   #losses = 0; // of the context, so far
   #pending = Promise.resolve(); // until the frame before is drawn
@@ -58,22 +60,41 @@ class Host {
   }
 
   /** A built-in shape where there are no bytes; `files` are what a .gltf names. */
-  async model({ name, bytes, files = [], aspect, variant, seconds }) {
+  async model({ name, bytes, files = [], aspect, ...look }) {
     const engine = this.#engine;
+    let animations = [];
     if (bytes && isGltf(name, bytes)) {
       const contents = gltfContents(bytes);
       const plain = isCompressed(contents) ? await (await import("./tukor-unpack.js")).unpack(name, contents, files) : { bytes, files };
-      engine.call("clear_files");
-      for (const [path, content] of plain.files) engine.call("add_file", path, content, content.length);
+      const images = [];
       if (imagesOf(contents).length > 0)
-        await (await import("./tukor-images.js")).decodeImages(engine.gl, contents, files,
-          (index, texels, width, height) => engine.call("add_image", index, texels, width, height));
-      engine.call("set_model", name, plain.bytes, plain.bytes.length, variant, seconds);
+        await (await import("./tukor-images.js")).decodeImages(engine.gl, contents, files, (...image) => images.push(image));
+      this.#model = { name, ...plain, images, ...look };
+      this.#read();
+      animations = animationsOf(contents);
     } else {
       const scene = await (await import("./tukor-extras.js")).model({ name, bytes, files });
       engine.call("set_scene", scene, scene.length);
     }
-    return { framing: engine.json("framing", aspect), parts: engine.json("parts") };
+    if (animations.length === 0) this.#model = null;
+    return { framing: engine.json("framing", aspect), parts: engine.json("parts"), animations };
+  }
+
+  #read() {
+    const engine = this.#engine;
+    const { name, bytes, files, images, variant, animation, seconds } = this.#model;
+    engine.call("clear_files");
+    for (const [path, content] of files) engine.call("add_file", path, content, content.length);
+    for (const image of images) engine.call("add_image", ...image);
+    engine.call("set_model", name, bytes, bytes.length, variant, animation, seconds);
+  }
+
+  /** Another moment of an animated model. */
+  #pose(seconds) {
+    if (!this.#model || this.#model.seconds === seconds) return;
+    this.#model.seconds = seconds;
+    this.#read();
+    this.#engine.call("set_materials", this.#materials);
   }
 
   /** A built-in one where there are no bytes. */
@@ -94,7 +115,11 @@ class Host {
   }
 
   warnings() { return [...this.#engine.json("warnings"), ...this.#skyWarnings]; }
-  materials({ text }) { this.#engine.call("set_materials", text); }
+  materials({ text }) {
+    this.#engine.call("set_materials", text);
+    this.#materials = text;
+  }
+
   option({ name, text }) { this.#engine.call("set_option", name, text); }
   light({ rotation, intensity }) { this.#engine.call("set_light", rotation, intensity); }
   depth({ depth }) { this.#engine.call("set_max_depth", depth); }
@@ -115,13 +140,14 @@ class Host {
   }
 
   /** One more frame in the canvas, coarse enough to be quick while `moving`; the samples in it. */
-  async frame({ view, width, height, moving }) {
+  async frame({ view, width, height, moving, seconds }) {
     await this.#pending; // one frame is drawn while the next is thought of, no more
     const { canvas } = this;
     if (canvas.width !== width || canvas.height !== height) {
       canvas.width = width;
       canvas.height = height;
     }
+    this.#pose(seconds);
     await this.#light();
     this.#place(view);
     const begun = performance.now();
@@ -131,8 +157,9 @@ class Host {
   }
 
   /** Many samples of another picture, which is not shown: straight-alpha 8-bit sRGB. */
-  async still({ view, width, height, samples }) {
+  async still({ view, width, height, samples, seconds }) {
     const engine = this.#engine;
+    this.#pose(seconds);
     await this.#light();
     this.#place(view);
     engine.call("restart");

@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { open, picture } from "./browser.mjs";
 import { dracoFile, meshoptFile } from "./compressed.mjs";
+import { gltfContents } from "../src/gltf-json.js";
 import { hdrFile } from "./light.mjs";
-import { pngRow, solidFile } from "./solid.mjs";
+import { glbFile, pngRow, solidFile } from "./solid.mjs";
 
 const matt = (colour) => ({ name: "matt", pbrMetallicRoughness: { metallicFactor: 0, roughnessFactor: 1, ...colour } });
 const textured = solidFile(matt({ baseColorTexture: { index: 0 } }), {
@@ -12,6 +13,20 @@ const textured = solidFile(matt({ baseColorTexture: { index: 0 } }), {
   // Red on the left, green on the right; the alpha of an opaque material says nothing, and must not darken its colours.
   image: pngRow([...Array(8).fill([230, 20, 20, 10]), ...Array(8).fill([20, 230, 20, 10])]),
 });
+/** Two seconds to the right, or up. */
+function animated() {
+  const { json, binary } = gltfContents(solidFile());
+  const bytes = Buffer.from(Float32Array.of(0, 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0).buffer);
+  json.buffers.push({ uri: `data:application/octet-stream;base64,${bytes.toString("base64")}`, byteLength: bytes.length });
+  const bufferView = json.bufferViews.push({ buffer: 1, byteLength: bytes.length }) - 1;
+  const input = json.accessors.push({ bufferView, componentType: 5126, type: "SCALAR", count: 2, min: [0], max: [2] }) - 1;
+  json.animations = [["right", 8], ["up", 32]].map(([name, byteOffset]) => {
+    const output = json.accessors.push({ bufferView, byteOffset, componentType: 5126, type: "VEC3", count: 2 }) - 1;
+    return { name, samplers: [{ input, output }], channels: [{ sampler: 0, target: { node: 0, path: "translation" } }] };
+  });
+  return glbFile(json, binary);
+}
+
 /** Zeros from where the binary chunk begins. */
 function damaged(glb) {
   return Buffer.from(glb).fill(0, 28 + glb.readUInt32LE(12));
@@ -22,7 +37,7 @@ before(async () => {
   const compressed = { draco: await dracoFile(textured), meshopt: await meshoptFile(textured) };
   browser = await open({
     "/test/light.hdr": hdrFile(64), "/test/textured.glb": textured, "/test/broken.glb": solidFile(matt({ baseColorTexture: { index: 0 } }), { image: Buffer.from("no picture") }),
-    "/test/draco.glb": compressed.draco, "/test/meshopt.glb": compressed.meshopt,
+    "/test/animated.glb": animated(), "/test/draco.glb": compressed.draco, "/test/meshopt.glb": compressed.meshopt,
     "/test/damaged-draco.glb": damaged(compressed.draco), "/test/damaged-meshopt.glb": damaged(compressed.meshopt),
   });
 });
@@ -85,3 +100,44 @@ for (const kind of ["draco", "meshopt"])
     assert.deepEqual(page.errors, []);
     await page.context().close();
   });
+
+test("animations are chosen, stand at any moment, play and pause", async () => {
+  const page = await show({ src: "animated.glb", material: "gold" });
+  const shown = async (change) => {
+    await page.evaluate(change);
+    return (await picture(page, { ...size, samples: 1 })).data;
+  };
+  assert.deepEqual(await page.evaluate(() => [window.view.availableAnimations, window.view.duration, window.view.paused, window.view.currentTime]), [["right", "up"], 2, true, 0]);
+  const first = await shown(() => {});
+  const right = await shown(() => (window.view.timeSeconds = "1"));
+  assert.notDeepEqual(right, first);
+  assert.match(await page.evaluate(() => window.view.command), /--time-seconds 1 /);
+  await page.evaluate(() => {
+    window.said.length = 0;
+    window.view.animation = "up";
+  });
+  await page.waitForFunction(() => window.said.some(({ type }) => type === "load"));
+  const up = await shown(() => {});
+  assert.notDeepEqual(up, right);
+  assert.notDeepEqual(await shown(() => (window.view.currentTime = 0.5)), up);
+  assert.deepEqual(await shown(() => (window.view.currentTime = 1)), up, "of gold, too");
+  await page.evaluate(() => window.view.play());
+  await page.waitForFunction(() => window.view.currentTime > 1.2);
+  await page.waitForFunction(() => window.view.currentTime < 1); // round and round
+  await page.evaluate(() => window.view.pause());
+  const at = await page.evaluate(() => window.view.currentTime);
+  await page.evaluate(() => new Promise((resolve) => window.view.addEventListener("frame", ({ detail }) => detail.samples > 4 && resolve())));
+  assert.equal(await page.evaluate(() => window.view.currentTime), at);
+  assert.deepEqual(await page.evaluate(() => window.said.filter(({ type }) => type === "error")), []);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test("autoplay plays, but not for those who ask for less motion", async () => {
+  for (const reducedMotion of ["no-preference", "reduce"]) {
+    const page = await show({ src: "animated.glb", autoplay: "" }, { ...size, reducedMotion });
+    assert.equal(await page.evaluate(() => window.view.paused), reducedMotion === "reduce");
+    if (reducedMotion === "no-preference") await page.waitForFunction(() => window.view.currentTime > 0.1);
+    await page.context().close();
+  }
+});

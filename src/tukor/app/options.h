@@ -49,7 +49,8 @@ struct SubjectOptions {
     std::vector<std::string> models;     // files and built-in shapes
     std::vector<std::string> materials;  // NAME or PATTERN=NAME, later ones win
     std::string variant;                 // of the model's own looks; empty: its own choice
-    std::optional<float> timeSeconds;    // of the model's animation; none: at rest
+    std::string animation;               // of the model's own, by name or number; empty: the first
+    std::optional<float> timeSeconds;    // of that animation; none: at rest
     std::optional<float> dispersion;     // factor on that of clear materials; none: the files' own
 
     friend bool operator==(const SubjectOptions&, const SubjectOptions&) = default;
@@ -144,8 +145,10 @@ void describe(Options& o, Visitor&& field) {
           "and ? as in a shell); may be repeated, later ones win. NAME as in `tukor materials`, or "
           "figures: ior:1.2, metal:0.21,0.485,1.29/3.13,2.23,1.76, mirror:0.9,0.8,0.7");
     field("variant", o.variant, Placeholder{"NAME"}, "one of the looks that a glTF model offers");
+    field("animation", o.animation, Placeholder{"NAME"},
+          "which animation of a glTF model, by name or by number from 0; the first without it");
     field("time-seconds", o.timeSeconds, Measure<float>{"S", {0.0f, 1e6f}},
-          "a moment of a glTF model's first animation; without it the model stands at rest");
+          "a moment of a glTF model's animation; without it the model stands at rest");
     field("dispersion", o.dispersion, Measure<float>{"X", {0.0f, 100.0f}},
           "factor on the dispersion of clear materials, 1 as measured; without it named materials "
           "have none and those of glTF files what the file says (trace)");

@@ -25,6 +25,7 @@ Scene loadModels(const SubjectOptions& subject) {
     for (const std::string& model : models) {
         ModelOptions options;
         options.variant = subject.variant;
+        options.animation = subject.animation;
         if (subject.timeSeconds) options.timeSeconds = *subject.timeSeconds;
         append(scene, loadModel(model, options));
     }
@@ -140,6 +141,7 @@ void Session::apply(const SessionOptions& options) {
     std::vector<Material> own = ownMaterials_;
     const bool modelsChange = first || options.subject.models != options_.subject.models ||
                               options.subject.variant != options_.subject.variant ||
+                              options.subject.animation != options_.subject.animation ||
                               options.subject.timeSeconds != options_.subject.timeSeconds;
     const bool materialsChange = modelsChange ||
                                  options.subject.materials != options_.subject.materials ||

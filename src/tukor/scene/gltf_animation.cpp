@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "tukor/base/error.h"
 #include "tukor/scene/gltf_accessor.h"
 #include "tukor/scene/sibling_file.h"
 
@@ -132,13 +135,26 @@ void apply(const Sampler& sampler, const JsonItem& target, GltfNodePose& pose) {
         pose.scale = glm::dvec3(value);
 }
 
+JsonItem chosen(const GltfDocument& document, const JsonList& animations, std::string_view which) {
+    if (which.empty()) return animations[0];
+    std::vector<std::string> known;
+    for (const JsonItem animation : animations) {
+        if (animation.textOr("name", "") == which) return animation;
+        known.push_back(printable(animation.textOr("name", "")));
+    }
+    for (std::size_t i = 0; i < animations.size(); ++i)
+        if (fmt::format("{}", i) == which) return animations[i];
+    throw Error(fmt::format("{}: no animation '{}'; there are {}", document.name(),
+                            printable(which), fmt::join(known, ", ")));
+}
+
 }  // namespace
 
-GltfPose poseAt(const GltfDocument& document, double seconds) {
+GltfPose poseAt(const GltfDocument& document, std::string_view which, double seconds) {
     GltfPose pose;
     const JsonList animations = document.root().list("animations");
     if (animations.empty()) return pose;
-    const JsonItem animation = animations[0];
+    const JsonItem animation = chosen(document, animations, which);
     const JsonList samplers = animation.list("samplers");
     for (const JsonItem channel : animation.list("channels")) {
         const JsonItem target = channel.at("target");

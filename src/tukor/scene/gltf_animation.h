@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -22,8 +23,9 @@ struct GltfNodePose {
 /// By the node's index.
 using GltfPose = std::map<std::size_t, GltfNodePose>;
 
-/// The file's first animation after `seconds`; before its first and after its last moment it stands
-/// still. Throws Error.
-[[nodiscard]] GltfPose poseAt(const GltfDocument& document, double seconds);
+/// An animation after `seconds`; before its first and after its last moment it stands still.
+/// `animation` is a name or a number, see ModelOptions. Throws Error.
+[[nodiscard]] GltfPose poseAt(const GltfDocument& document, std::string_view animation,
+                              double seconds);
 
 }  // namespace tukor

@@ -69,7 +69,8 @@ void noteFeatures(const JsonItem& root, const ModelOptions& options, Notes& note
     const std::size_t animations = root.list("animations").size();
     if (animations > 0 && !options.timeSeconds)
         notes.add("it is animated and shown at rest; --time-seconds chooses a moment");
-    if (animations > 1 && options.timeSeconds) notes.add("of its animations the first is shown");
+    if (animations > 1 && options.timeSeconds && options.animation.empty())
+        notes.add("of its animations the first is shown");
 }
 
 }  // namespace tukor

@@ -85,8 +85,9 @@ public:
 
     Scene read() {
         noteFeatures(document_.root(), options_, notes_);
-        const GltfPose pose =
-            options_.timeSeconds ? poseAt(document_, *options_.timeSeconds) : GltfPose();
+        const GltfPose pose = options_.timeSeconds
+                                  ? poseAt(document_, options_.animation, *options_.timeSeconds)
+                                  : GltfPose();
         const GltfPlacements placements = placementsOf(document_, pose);
         variant_ = variantOf(document_, options_.variant);
         checkTotal(document_, placements.meshes);

@@ -40,6 +40,34 @@ void expectFirstAt(const Scene& scene, glm::vec3 place) {
     EXPECT_LT(glm::distance(p, place), 1e-5f) << p.x << ' ' << p.y << ' ' << p.z;
 }
 
+TEST(GltfAnimation, IsChosenByNameOrNumber) {
+    Bytes bytes;
+    bytes.add({0.0f, 1.0f}).add({glm::vec3(4, 0, 0), glm::vec3(4, 0, 0)});
+    bytes.add({glm::vec3(0, 5, 0), glm::vec3(0, 5, 0)});
+    const auto animation = [](const std::string& name, int output) {
+        return R"({"name": ")" + name + R"(", "samplers": [{"input": 1, "output": )" +
+               std::to_string(output) + R"(}], "channels": [{"sampler": 0, "target":
+               {"node": 0, "path": "translation"}}]})";
+    };
+    const auto at = [&](const std::string& which) {
+        return sceneOf(bytes,
+                       accessor("SCALAR", 2, 0) + ", " + accessor("VEC3", 2, 8) + ", " +
+                           accessor("VEC3", 2, 32),
+                       kTriangle + R"(, "nodes": [{"mesh": 0}], "animations": [)" +
+                           animation("walk", 2) + ", " + animation("jump", 3) + "]",
+                       {.timeSeconds = 0.5, .animation = which});
+    };
+    expectFirstAt(at(""), {4, 0, 0});
+    expectFirstAt(at("walk"), {4, 0, 0});
+    expectFirstAt(at("jump"), {0, 5, 0});
+    expectFirstAt(at("1"), {0, 5, 0});
+    EXPECT_THAT(messageOf([&] { (void)at("run"); }),
+                HasSubstr("no animation 'run'; there are walk, jump"));
+    EXPECT_THAT(messageOf([&] { (void)at("2"); }), HasSubstr("no animation '2'"));
+    EXPECT_THAT(at("").warnings, testing::Contains(HasSubstr("the first is shown")));
+    EXPECT_THAT(at("jump").warnings, testing::Not(testing::Contains(HasSubstr("first"))));
+}
+
 TEST(GltfAnimation, MovesNodesBetweenTheirMoments) {
     Bytes bytes;
     bytes.add({1.0f, 3.0f}).add({glm::vec3(0), glm::vec3(4, 0, 0)});

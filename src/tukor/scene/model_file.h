@@ -13,10 +13,12 @@ struct ModelOptions {
     float creaseAngle = std::numbers::pi_v<float> / 6.0f;  // radians; 30 degrees
     /// Of parts for which neither shape nor file names a material; anything parseMaterial() takes.
     std::string material = "gold";
-    /// A moment of the file's first animation; none: as modelled. glTF only.
+    /// A moment of the file's animation; none: as modelled. glTF only.
     std::optional<double> timeSeconds = std::nullopt;
     /// Of KHR_materials_variants, by name; empty: the file's own choice.
     std::string variant = {};
+    /// By name, or else by number from 0; empty: the first.
+    std::string animation = {};
 };
 
 /// A built-in shape by name, or a model file: glTF, GLB, OBJ, PLY, STL, or what Assimp reads.
