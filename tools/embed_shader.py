@@ -47,7 +47,8 @@ def flatten(root, path, files, out):
             if line.startswith("#version"):
                 # GLSL ES 3.00 has no default precision for floats and some samplers in fragment shaders.
                 out += ["precision highp float;", "precision highp int;", "precision highp sampler2D;",
-                        "precision highp usampler2D;", "precision highp samplerCube;", f"#line {row + 1} {number}"]
+                        "precision highp isampler2D;", "precision highp usampler2D;",
+                        "precision highp samplerCube;", f"#line {row + 1} {number}"]
 
 
 def flattened(root, path):

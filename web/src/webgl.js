@@ -76,6 +76,7 @@ export function webglImports(gl, memory) {
     glFramebufferTexture2D: (target, attachment, kind, id, level) => gl.framebufferTexture2D(target, attachment, kind, objects[id], level),
     glFramebufferRenderbuffer: (target, attachment, kind, id) => gl.framebufferRenderbuffer(target, attachment, kind, objects[id]),
     glDrawBuffers: (count, at) => gl.drawBuffers([...list(count, at)]),
+    glClearBufferiv: (buffer, index, at) => gl.clearBufferiv(buffer, index, memory.ints, at >> 2),
     glInvalidateFramebuffer: (target, count, at) => gl.invalidateFramebuffer(target, [...list(count, at)]),
     glBufferData: (target, size, at, usage) => gl.bufferData(target, memory.bytes.subarray(at, at + size), usage),
     glTexSubImage2D: (target, level, x, y, width, height, format, type, at) => gl.texSubImage2D(target, level, x, y, width, height, format, type, ...pixels(type, at)),

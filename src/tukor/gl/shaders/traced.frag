@@ -40,7 +40,7 @@ uniform uint frame;
 uniform bool splitGrazing;  // see grazing.h
 uniform bool centred;      // samples lie in the middles of pixels
 uniform bool firstHitsKnown;  // what they show is known:
-uniform highp isampler2D firstHits;  // the number of the triangle, -1 for none
+uniform isampler2D firstHits;  // the number of the triangle, -1 for none
 uniform uint pictureSeed;
 uniform ivec2 topLeft;     // of the window's pixels in the picture
 uniform ivec2 windowSize;
