@@ -1,6 +1,7 @@
 // How far a picture is, on one line of a terminal.
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 namespace tukor {
@@ -15,8 +16,8 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// At most ten times a second; `fraction` in [0, 1].
-    void show(float fraction);
+    /// At most ten times a second; `fraction` in [0, 1]; `rays` so far where there are any.
+    void show(float fraction, std::uint64_t rays = 0);
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -26,7 +27,8 @@ private:
     Clock::time_point shown_{};
 };
 
-/// ` 42 %  [########            ]  0:12 left`; without the time while it cannot be told.
-[[nodiscard]] std::string progressLine(float fraction, double secondsGone);
+/// ` 42 %  [########            ]  3.1 million rays a second  0:12 left`; without the time while it
+/// cannot be told.
+[[nodiscard]] std::string progressLine(float fraction, double secondsGone, std::uint64_t rays);
 
 }  // namespace tukor

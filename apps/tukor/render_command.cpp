@@ -42,9 +42,9 @@ int render(const RenderArguments& arguments) {
     {
         ProgressBar bar(arguments.quiet ? ProgressBar::Loudness::quiet
                                         : ProgressBar::Loudness::terminal);
-        rendering = renderPicture(session, [&](float fraction) {
+        rendering = renderPicture(session, [&](float fraction, std::uint64_t rays) {
             finished = fraction;
-            bar.show(fraction);
+            bar.show(fraction, rays);
             return !InterruptWatch::interrupted();
         });
     }

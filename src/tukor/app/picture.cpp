@@ -53,7 +53,7 @@ std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {
     throw Error(fmt::format("{}: 9999 pictures are here already; move some away", folder.string()));
 }
 
-Rendering renderPicture(const Session& session, const Progress& progress) {
+Rendering renderPicture(const Session& session, const RenderProgress& progress) {
     const RenderOptions options = session.renderOptions();
     if (rendererFor(session.options()) == Renderer::gl) {
         const std::string_view needsTrace = onlyForTrace(session.options().quality);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "tukor/app/session.h"
-#include "tukor/base/progress.h"
 #include "tukor/scene/render_options.h"
 
 namespace tukor {
@@ -22,7 +21,7 @@ void requireWritablePicture(const std::filesystem::path& out, const SessionOptio
 
 /// Throws Error when this build lacks the renderer, or it cannot work here. When `progress` asks to
 /// stop, the picture so far.
-[[nodiscard]] Rendering renderPicture(const Session& session, const Progress& progress = {});
+[[nodiscard]] Rendering renderPicture(const Session& session, const RenderProgress& progress = {});
 
 /// Tone mapped and sRGB for .png and .jpg, linear radiance for .exr and .hdr; the command line that
 /// gives the picture, all options and the program's version go into its metadata.

@@ -32,7 +32,7 @@ void copyInto(Rendering& whole, const Rendering& part, const PictureWindow& wind
 }  // namespace
 
 Rendering render(const Scene& scene, const Environment& environment, const Camera& camera,
-                 const RenderOptions& options, const Progress& progress) {
+                 const RenderOptions& options, const RenderProgress& progress) {
     const Context context;
     Renderer renderer;
     const bool single = options.fidelity == Fidelity::single;
@@ -60,9 +60,10 @@ Rendering render(const Scene& scene, const Environment& environment, const Camer
             const float share = std::min(1.0f, static_cast<float>(renderer.accumulatedSamples()) /
                                                    static_cast<float>(samples));
             if (progress)
-                stopped = !progress((static_cast<float>(i) + share) /
-                                    static_cast<float>(windows.size())) ||
-                          stopped;
+                stopped =
+                    !progress((static_cast<float>(i) + share) / static_cast<float>(windows.size()),
+                              0) ||
+                    stopped;
         } while (!stopped && renderer.accumulatedSamples() < samples);
         Rendering part = renderer.read();
         if (windows.size() == 1) return part;

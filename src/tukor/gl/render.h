@@ -1,6 +1,5 @@
 // One picture by OpenGL, without a window: what `tukor render --renderer gl` calls.
 #pragma once
-#include "tukor/base/progress.h"
 #include "tukor/environment/environment.h"
 #include "tukor/scene/render_options.h"
 #include "tukor/scene/scene.h"
@@ -13,6 +12,6 @@ namespace tukor::gl {
 /// `progress`, it returns the picture with the samples so far. Throws Error.
 [[nodiscard]] Rendering render(const Scene& scene, const Environment& environment,
                                const Camera& camera, const RenderOptions& options,
-                               const Progress& progress = {});
+                               const RenderProgress& progress = {});
 
 }  // namespace tukor::gl

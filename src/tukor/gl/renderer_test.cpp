@@ -255,7 +255,7 @@ TEST(Render, StopsWhenToldAndKeepsWhatItHas) {
     options.samples = 4000;
     int calls = 0;
     const Rendering rendering = render(sphereOf(glass()), uniform(glm::vec3(1.0f)), Camera{},
-                                       options, [&](float) { return ++calls < 2; });
+                                       options, [&](float, std::uint64_t) { return ++calls < 2; });
     EXPECT_EQ(calls, 2);
     EXPECT_NEAR(rendering.radiance.at(0, 0).x, 1.0f, 1e-3f);
 }

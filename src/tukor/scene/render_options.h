@@ -1,6 +1,7 @@
 // What every renderer is asked: size, samples, fidelity, background. And what it gives back.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -63,6 +64,9 @@ struct RenderOptions {
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
+
+/// As Progress, with the rays so far beside the finished fraction; 0 where they are not counted.
+using RenderProgress = std::function<bool(float fraction, std::uint64_t rays)>;
 
 /// A finished picture and what the renderer counted on the way.
 struct Rendering {

@@ -20,7 +20,7 @@ constexpr float kFootprint = 0.7f;
 
 }  // namespace
 
-Passes::Passes(const Frame& frame, const PassGoals& goals, const Progress& progress)
+Passes::Passes(const Frame& frame, const PassGoals& goals, const RenderProgress& progress)
     : frame_(frame),
       goals_(goals),
       progress_(progress),
@@ -59,7 +59,7 @@ void Passes::report(double fraction) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || elapsed() < lastReport_ + 0.05) return;  // 20 times a second are enough for eyes
     lastReport_ = elapsed();
-    if (!progress_(static_cast<float>(std::clamp(fraction, 0.0, 1.0)))) stop_ = true;
+    if (!progress_(static_cast<float>(std::clamp(fraction, 0.0, 1.0)), raysDone_)) stop_ = true;
 }
 
 void Passes::tile(int number) {
@@ -88,6 +88,7 @@ void Passes::tile(int number) {
     if (jobs.empty()) return;
 
     std::unique_ptr<PathPool> pool = takePool();
+    const std::uint64_t raysBefore = pool->counts().rays;
     std::vector<PixelSum> sums(jobs.size());
     std::vector<CameraSample> batch;
     batch.reserve(kBatch);
@@ -124,6 +125,7 @@ void Passes::tile(int number) {
         picture_.add(jobs[i].pixel, sums[i], jobs[i].to - jobs[i].from);
     }
     samplesDone_ += samples;
+    raysDone_ += pool->counts().rays - raysBefore;
     returnPool(std::move(pool));
 }
 
@@ -181,7 +183,7 @@ void Passes::run() {
         fractionAfter_ = std::clamp(fractionAfter_, fractionBefore_, 0.999);
         pass();
     }
-    if (progress_ && !stop_) (void)progress_(1.0f);
+    if (progress_ && !stop_) (void)progress_(1.0f, raysDone_);
 }
 
 }  // namespace tukor::trace

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "tukor/base/progress.h"
 #include "tukor/trace/error_estimate.h"
 
 namespace tukor::trace {
@@ -21,7 +20,7 @@ struct PassGoals {
 
 class Passes {
 public:
-    Passes(const Frame& frame, const PassGoals& goals, const Progress& progress);
+    Passes(const Frame& frame, const PassGoals& goals, const RenderProgress& progress);
 
     /// Runs until a goal is met or `progress` says stop.
     void run();
@@ -42,12 +41,13 @@ private:
 
     const Frame& frame_;
     PassGoals goals_;
-    const Progress& progress_;
+    const RenderProgress& progress_;
     Accumulation picture_;
     ErrorEstimate estimate_;
     std::chrono::steady_clock::time_point start_;
     std::atomic<bool> stop_ = false;
     std::atomic<std::uint64_t> samplesDone_ = 0;
+    std::atomic<std::uint64_t> raysDone_ = 0;
     std::uint64_t samplesWanted_ = 0;  // of this pass and all before
     double fractionBefore_ = 0.0;      // of the whole work, at the beginning of the pass
     double fractionAfter_ = 1.0;

@@ -40,7 +40,7 @@ PassGoals goalsOf(const RenderOptions& options) {
 }
 
 Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camera& camera,
-                      const RenderOptions& options, const Progress& progress) {
+                      const RenderOptions& options, const RenderProgress& progress) {
     std::optional<Scene> grounded;
     if (options.ground) grounded = withGround(given, *options.ground);
     const Scene& scene = grounded ? *grounded : given;
@@ -102,7 +102,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
 }  // namespace
 
 Rendering render(const Scene& scene, const CubeMap& environment, const Camera& camera,
-                 const RenderOptions& options, const Progress& progress) {
+                 const RenderOptions& options, const RenderProgress& progress) {
     check(options);
     const EnvironmentMap map(environment, options.environmentRotation,
                              options.environmentIntensity);
@@ -110,14 +110,14 @@ Rendering render(const Scene& scene, const CubeMap& environment, const Camera& c
 }
 
 Rendering render(const Scene& scene, const Image& panorama, const Camera& camera,
-                 const RenderOptions& options, const Progress& progress) {
+                 const RenderOptions& options, const RenderProgress& progress) {
     check(options);
     const EnvironmentMap map(panorama, options.environmentRotation, options.environmentIntensity);
     return renderUnder(map, scene, camera, options, progress);
 }
 
 Rendering render(const Scene& scene, const Environment& environment, const Camera& camera,
-                 const RenderOptions& options, const Progress& progress) {
+                 const RenderOptions& options, const RenderProgress& progress) {
     return environment.panorama ? render(scene, *environment.panorama, camera, options, progress)
                                 : render(scene, environment.radiance, camera, options, progress);
 }

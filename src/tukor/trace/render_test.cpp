@@ -135,7 +135,7 @@ TEST(TraceRender, StopsWhenToldAndKeepsWhatItHas) {
     RenderOptions options = small(1024);
     int calls = 0;
     const Rendering r = render(sceneOfShape("sphere", metal()), constantCube(1.0f),
-                               eyeAt({0, 0, 4}), options, [&](float fraction) {
+                               eyeAt({0, 0, 4}), options, [&](float fraction, std::uint64_t) {
                                    EXPECT_GE(fraction, 0.0f);
                                    EXPECT_LE(fraction, 1.0f);
                                    return ++calls < 1;
