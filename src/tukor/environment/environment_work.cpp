@@ -90,10 +90,9 @@ Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& 
                      : std::move(*source.panorama);
     const CubeMap& cube = *source.cube;
     const int to = width.value_or(4 * cube.faceSize());
-    // A much finer cube map is averaged. Else pixels are such that looking up between them gives
-    // what the cube map shows: a panorama that was made into faces comes back.
-    if (to < cube.faceSize()) return panoramaFromCube(shrunkCube(cube, to), to, progress);
-    return panoramaWithMeansOf(cube, to, progress);
+    // Pixels are such that looking up between them gives what the cube map shows: a panorama that
+    // was made into faces comes back.
+    return panoramaWithMeansOf(to < cube.faceSize() ? shrunkCube(cube, to) : cube, to, progress);
 }
 
 }  // namespace

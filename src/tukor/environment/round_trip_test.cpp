@@ -143,6 +143,28 @@ TEST_P(RoundTrip, BringsEveryLayoutBack) {
 INSTANTIATE_TEST_SUITE_P(EveryFormat, RoundTrip, testing::ValuesIn(formats()),
                          [](const auto& format) { return std::string(format.param.name); });
 
+TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
+    const fs::path folder = fs::temp_directory_path() / "tukor_round_trip_fine_faces";
+    fs::create_directories(folder);
+    const std::string faces = (folder / "a_{}.exr").string();
+    const std::string panorama = (folder / "a.exr").string();
+    Image waves(48, 24);  // six pixels long
+    for (int row = 0; row < 24; ++row)
+        for (int column = 0; column < 48; ++column)
+            waves.at(column, row) =
+                glm::vec3(0.5f + 0.3f * std::sin(1.0472f * static_cast<float>(column + row)));
+    WorkSource source;
+    source.panorama = waves;
+    saveWork(faces, source, {PictureForm::faces, 96});
+    saveWork(panorama, loadWorkSource(faces, PictureForm::faces), {PictureForm::equirect, 48});
+    const Image back = loadPicture(panorama);
+    for (int row = 4; row < 20; ++row)  // means over areas alone would lose a fifth of the waves
+        for (int column = 0; column < 48; ++column)
+            EXPECT_NEAR(back.at(column, row).x, waves.at(column, row).x, 0.02f)
+                << column << ", " << row;
+    fs::remove_all(folder);
+}
+
 TEST(RoundTripBall, BringsAllBackButWhatTheBallHides) {
     const fs::path path = fs::temp_directory_path() / "tukor_round_trip_ball.exr";
     WorkSource source;
