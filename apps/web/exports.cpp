@@ -193,6 +193,11 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_max_depth(int depth) {
     return 0;
 }
 
+EMSCRIPTEN_KEEPALIVE int tukor_set_background_blur(float blur) {
+    viewer->setBackgroundBlur(blur);
+    return 0;
+}
+
 EMSCRIPTEN_KEEPALIVE int tukor_set_exposure(float stops) {
     viewer->setExposure(stops);
     return 0;

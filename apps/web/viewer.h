@@ -34,6 +34,8 @@ public:
     void setLight(float rotation, float intensity) noexcept;
     /// Events along one branch of the light path, at fidelities that trace rays.
     void setMaxDepth(int depth) noexcept { options_.maxDepth = depth; }
+    /// From 0, sharp, to 1.
+    void setBackgroundBlur(float blur) noexcept { backgroundBlur_ = blur; }
     void setExposure(float stops) noexcept { display_.exposureStops = stops; }
     void setCamera(const Camera& camera) noexcept { camera_ = camera; }
 
@@ -74,6 +76,7 @@ private:
     Pace pace_;
     RenderOptions options_;
     gl::DisplayOptions display_;
+    float backgroundBlur_ = 0.0f;
     Scene scene_;
     std::vector<Material> ownMaterials_;  // the parts' before setMaterials()
     std::vector<std::string> environmentWarnings_;

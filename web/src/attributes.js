@@ -12,8 +12,12 @@ export const FIGURES = {
   "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
   "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
   exposure: [number, 0],
+  "background-blur": [(text) => (number(text) >= 0 && number(text) <= 1 ? number(text) : null), 0],
   "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
 };
+
+/** Of these the command says nothing, or something else. */
+export const PAGE_ONLY = ["background-blur", "time-seconds"];
 
 export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 

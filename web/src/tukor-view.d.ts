@@ -32,6 +32,8 @@ export declare class TukorView extends HTMLElement {
   environmentIntensity: string | null;
   /** quad, box, dome or none (transparent). */
   background: string | null;
+  /** From 0, sharp, to 1. What lies behind the model alone; what is seen in it stays sharp. */
+  backgroundBlur: string | null;
   /** "gold", or "Stone=diamond; Band=gold" by part or material name, or figures: "ior:1.2". */
   material: string | null;
   /** One of the model's own looks (KHR_materials_variants), by name. */

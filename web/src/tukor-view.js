@@ -1,5 +1,5 @@
 // <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed behind link.js.
-import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, cameraGoal, figureOf, reflect, upgrade } from "./attributes.js";
+import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, PAGE_ONLY, cameraGoal, figureOf, reflect, upgrade } from "./attributes.js";
 import { Clock } from "./clock.js";
 import { renderCommand } from "./command.js";
 import { listen, spokenView } from "./controls.js";
@@ -93,7 +93,7 @@ export class TukorView extends HTMLElement {
     const options = [...Object.keys(CHOICES), "variant", "animation"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     if (this.#clock.seconds >= 0) options.push(["--time-seconds", this.#clock.seconds]);
     for (const name of Object.keys(FIGURES))
-      if (this.hasAttribute(name) && name !== "time-seconds") options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
+      if (this.hasAttribute(name) && !PAGE_ONLY.includes(name)) options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
     return renderCommand({ ...this.#sources.names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#player.size });
   }
 
@@ -303,6 +303,7 @@ export class TukorView extends HTMLElement {
     if (name in CHOICES) return this.#link.ask("option", { name, text: (this.getAttribute(name) ?? CHOICES[name]).trim() });
     if (name === "exposure") return this.#link.ask("exposure", { stops: figureOf(this, name) });
     if (name === "time-seconds") return (this.#clock.seconds = figureOf(this, name));
+    if (name === "background-blur") return this.#link.ask("blur", { amount: figureOf(this, name) });
     if (name === "max-depth") return this.#link.ask("depth", { depth: figureOf(this, name) });
     return this.#link.ask("light", { rotation: figureOf(this, "environment-rotation"), intensity: figureOf(this, "environment-intensity") });
   }

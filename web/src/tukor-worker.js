@@ -123,6 +123,7 @@ class Host {
   option({ name, text }) { this.#engine.call("set_option", name, text); }
   light({ rotation, intensity }) { this.#engine.call("set_light", rotation, intensity); }
   depth({ depth }) { this.#engine.call("set_max_depth", depth); }
+  blur({ amount }) { this.#engine.call("set_background_blur", amount); }
   exposure({ stops }) { this.#engine.call("set_exposure", stops); }
 
   /** Light and shaders of surfaces that are not ideally smooth, where the model has some. */

@@ -47,8 +47,9 @@ test("attributes and properties act live", async () => {
   await differs(() => (window.view.environmentIntensity = "0.5"));
   await differs(() => (window.view.toneMap = "agx"));
   await differs(() => (window.view.fieldOfView = "60deg"));
+  await differs(() => (window.view.backgroundBlur = "0.8"));
   await page.evaluate(() => {
-    for (const name of ["exposure", "camera-orbit", "environment-rotation", "environment-intensity", "tone-map", "field-of-view"]) window.view.removeAttribute(name);
+    for (const name of ["exposure", "camera-orbit", "environment-rotation", "environment-intensity", "tone-map", "field-of-view", "background-blur"]) window.view.removeAttribute(name);
     window.view.material = "gold";
     window.view.jumpCameraToGoal();
   });

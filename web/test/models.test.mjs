@@ -141,3 +141,21 @@ test("autoplay plays, but not for those who ask for less motion", async () => {
     await page.context().close();
   }
 });
+
+test("a blurred background lies behind the model alone", async () => {
+  const page = await show({ src: "animated.glb", material: "gold" });
+  for (const fidelity of ["single", "exact"]) {
+    const shown = async (blur) => {
+      await page.evaluate(([fidelity, blur]) => Object.assign(window.view, { fidelity, backgroundBlur: blur }), [fidelity, blur]);
+      return picture(page, { ...size, samples: 4 });
+    };
+    const sharp = await shown("0");
+    const blurred = await shown("1");
+    assert.deepEqual(at(blurred, 32, 32), at(sharp, 32, 32));
+    const contrast = (image) => [0, 1, 2].map((c) => Math.max(...Array.from({ length: 64 }, (_, x) => at(image, x, 2)[c])) - Math.min(...Array.from({ length: 64 }, (_, x) => at(image, x, 2)[c])));
+    assert.ok(contrast(blurred).every((range, c) => range < 0.5 * contrast(sharp)[c]), `${fidelity}: ${contrast(blurred)} against ${contrast(sharp)}`);
+  }
+  assert.doesNotMatch(await page.evaluate(() => window.view.command), /blur/);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});

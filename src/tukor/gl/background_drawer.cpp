@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tukor/gl/finish_parts.h"
 #include "tukor/gl/shaders.h"
 
 namespace tukor::gl {
@@ -92,6 +93,18 @@ void BackgroundDrawer::draw(Background background, const View& view,
     program.set("clipFromRay", glm::inverse(rayFromWorld * view.rayDirMatrix));
     glBindVertexArray(shell.vertexArray.id());
     glDrawArrays(GL_TRIANGLES, 0, shell.count);
+}
+
+void BackgroundDrawer::drawBehind(int frames, const View& view,
+                                  const glm::mat3& environmentFromWorld, float roughness) {
+    if (!behind_) behind_.emplace(shaders::backgroundVert, shaders::behindFrag);
+    behind_->set("sum", 0);
+    behind_->set("chain", 1);
+    behind_->set("frames", static_cast<float>(frames));
+    behind_->set("level", roughness * (kChainLevels - 1));
+    behind_->set("rayDirMatrix", glm::mat4(environmentFromWorld) * view.rayDirMatrix);
+    glBindVertexArray(0);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 }  // namespace tukor::gl

@@ -1,6 +1,7 @@
 // The environment behind the scene: full-viewport quad, sky box, sky dome.
 #pragma once
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "tukor/gl/environment_texture.h"
@@ -17,6 +18,12 @@ public:
     void draw(Background background, const View& view, const glm::mat3& environmentFromWorld,
               glm::vec2 footprintMiddle, const EnvironmentTexture& environment);
 
+    /// Adds it, blurred, to a sum of `frames` frames without background, as a surface of this
+    /// perceptual roughness would show it. The sum is in texture unit 0, the chain of LightChain
+    /// in 1.
+    void drawBehind(int frames, const View& view, const glm::mat3& environmentFromWorld,
+                    float roughness);
+
 private:
     /// Triangles around the origin, of any radius.
     struct Shell {
@@ -28,6 +35,7 @@ private:
 
     /// Compiled when first used; by shape and kind of environment.
     std::map<std::pair<bool, std::string_view>, Program> programs_;
+    std::optional<Program> behind_;
     Shell box_;
     Shell dome_;
 };

@@ -116,8 +116,8 @@ void FrameBuffers::bindNextSum(Counting counting) {
     glDrawBuffers(counting == Counting::all ? 2 : 1, both);
 }
 
-void FrameBuffers::bindSumForReading() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, sumFramebuffers_[current_].id());
+void FrameBuffers::bindShownForReading() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, sumFramebuffers_[shown_].id());
 }
 
 }  // namespace tukor::gl

@@ -30,14 +30,17 @@ public:
     /// Binds the target of the next sum, and of the next counts where they are wanted; sum() is
     /// the one before until swapSums().
     void bindNextSum(Counting counting);
-    void swapSums() noexcept { current_ = 1 - current_; }
+    void swapSums() noexcept { shown_ = current_ = 1 - current_; }
+    /// Of the next sum, until then: it is shown in the place of this one, which goes on.
+    void showNextSum() noexcept { shown_ = 1 - current_; }
 
     [[nodiscard]] const Texture& frame() const noexcept { return frame_; }
     [[nodiscard]] const Texture& sum() const noexcept { return sums_[current_]; }
+    [[nodiscard]] const Texture& shown() const noexcept { return sums_[shown_]; }
     /// Sums of what was counted; black unless it was.
     [[nodiscard]] const Texture& counts() const noexcept { return counts_[current_]; }
-    /// Binds the sum for glReadPixels, as its first attachment; counts are the second.
-    void bindSumForReading() const;
+    /// Binds what is shown for glReadPixels, as its first attachment; counts are the second.
+    void bindShownForReading() const;
 
 private:
     struct Target {
@@ -51,6 +54,7 @@ private:
     int width_ = 0;
     int height_ = 0;
     int current_ = 0;
+    int shown_ = 0;
     Texture frame_;
     Target multisampled_;
     Target plain_;

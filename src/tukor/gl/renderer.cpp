@@ -39,6 +39,17 @@ void setState(bool depthTest) {
     }
 }
 
+bool blurs(const FrameOptions& options) {
+    return options.backgroundBlur > 0.0f && options.picture.background != Background::none;
+}
+
+/// What frames are drawn as: a blurred background is added to their sum.
+RenderOptions framePicture(const FrameOptions& options) {
+    RenderOptions picture = options.picture;
+    if (blurs(options)) picture.background = Background::none;
+    return picture;
+}
+
 void bindTexture(int unit, const Texture& texture) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture.id());
@@ -119,14 +130,15 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
     buffers_.swapSums();
     ++frames_;
     samples_ += perFrame;
+    if (blurs(options)) blurBackground(subject);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     throwPendingErrors("drawing a frame");
 }
 
-bool Renderer::preparesLight() const noexcept {
+bool Renderer::preparesLight(float backgroundBlur) const noexcept {
     const bool finished = std::any_of(materials_.begin(), materials_.end(),
                                       [](const Material& m) { return m.finish != nullptr; });
-    return (finished || tracedScene_.finished()) && !lightChain_.ready();
+    return (finished || tracedScene_.finished() || backgroundBlur > 0.0f) && !lightChain_.ready();
 }
 
 std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {
@@ -157,7 +169,7 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
     // The look-ups tile the pixel. A plain frame looks from anywhere in the pixel and its look-ups
     // move half as far as it does; a multisampled one has its own spread already and moves only
     // within the quarter that each of its samples stands for.
-    const RenderOptions& picture = subject.options.picture;
+    const RenderOptions picture = framePicture(subject.options);
     const bool single = std::all_of(looks.begin(), looks.end(), [](const Look& look) {
         return look.fidelity == Fidelity::single;
     });
@@ -219,6 +231,17 @@ void Renderer::accumulate(const Look& look) {
     glDisable(GL_SCISSOR_TEST);
 }
 
+void Renderer::blurBackground(const Subject& subject) {
+    buffers_.bindNextSum(Counting::none);
+    bindTexture(0, buffers_.sum());
+    lightChain_.bind(1);
+    background_.drawBehind(frames_,
+                           viewOf(subject.camera, subject.window, glm::vec2(0.0f), bounds_),
+                           environmentFromWorld(subject.options.picture.environmentRotation),
+                           subject.options.backgroundBlur);
+    buffers_.showNextSum();
+}
+
 float Renderer::unitsPerRadiance(const Subject& subject) const {
     const float intensity = subject.options.picture.environmentIntensity;
     return 1.0f / (environment_.scale() * std::max(intensity, 1e-6f));
@@ -239,7 +262,7 @@ bool Renderer::firstHitsHelp(const Subject& subject) const {
 
 void Renderer::drawTraced(const Subject& subject, const Look& look, const View& view) {
     if (!tracedScene_.ready()) throw Error("the scene was prepared for fidelity single alone");
-    const RenderOptions& picture = subject.options.picture;
+    const RenderOptions picture = framePicture(subject.options);
     const bool finished = tracedScene_.finished();
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
     // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
@@ -272,7 +295,7 @@ void Renderer::present(const DisplayOptions& options, const Viewport& viewport) 
     setState(false);
     glDisable(GL_SCISSOR_TEST);
     glViewport(viewport.left, viewport.bottom, viewport.width, viewport.height);
-    bindTexture(0, buffers_.sum());
+    bindTexture(0, buffers_.shown());
     presentProgram_->set("sum", 0);
     presentProgram_->set("corner", glm::vec2(viewport.left, viewport.bottom));
     presentProgram_->set("sumPerPixel", glm::vec2(buffers_.width(), buffers_.height()) /

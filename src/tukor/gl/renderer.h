@@ -38,6 +38,7 @@ struct FrameOptions {
     RenderOptions picture;  // `samples` is how many the caller means to accumulate, if it knows
     std::optional<Comparison> comparison;
     BackgroundOrder backgroundOrder = BackgroundOrder::last;
+    float backgroundBlur = 0.0f;  // as a surface of this perceptual roughness shows it, to 1
 
     friend bool operator==(const FrameOptions&, const FrameOptions&) = default;
 };
@@ -86,8 +87,8 @@ public:
     /// A window of the picture only: for pictures that are larger than textures.
     void drawFrame(const Camera& camera, const FrameOptions& options, const PictureWindow& window);
 
-    /// Whether the next frame has to prepare the light of finishes.
-    [[nodiscard]] bool preparesLight() const noexcept;
+    /// Whether a frame with this backgroundBlur has to prepare the light of finishes.
+    [[nodiscard]] bool preparesLight(float backgroundBlur) const noexcept;
     [[nodiscard]] const LightChain& lightChain() const noexcept { return lightChain_; }
 
     /// Forgets the frames so far.
@@ -131,6 +132,7 @@ private:
     [[nodiscard]] bool centred(const Subject& subject) const;
     [[nodiscard]] bool firstHitsHelp(const Subject& subject) const;
     void drawTraced(const Subject& subject, const Look& look, const View& view);
+    void blurBackground(const Subject& subject);
     [[nodiscard]] float unitsPerRadiance(const Subject& subject) const;
 
     [[nodiscard]] float radiancePerSum() const;

@@ -13,7 +13,7 @@ Rendering Renderer::read() {
     if (frames_ == 0) return rendering;
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     std::vector<glm::vec4> sums(count);
-    buffers_.bindSumForReading();
+    buffers_.bindShownForReading();
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, sums.data());

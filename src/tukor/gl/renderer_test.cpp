@@ -145,6 +145,48 @@ TEST(Renderer, GivesCoverageWhereThereIsNoBackground) {
     EXPECT_TRUE(partial);
 }
 
+TEST(Renderer, BlursWhatLiesBehindTheSceneAlone) {
+    const Context context;
+    Renderer renderer;
+    renderer.setScene(sphereOf(glass()));
+    for (const Fidelity fidelity : {Fidelity::single, Fidelity::exact}) {
+        FrameOptions options;
+        options.picture = small();
+        options.picture.fidelity = fidelity;
+        const auto drawn = [&](Background background, float blur) {
+            options.picture.background = background;
+            options.backgroundBlur = blur;
+            for (int i = 0; i < 2; ++i) renderer.drawFrame(tilted(), options);
+            return renderer.read().radiance;
+        };
+        renderer.setEnvironment(studio());
+        const Image bare = drawn(Background::none, 0.0f);
+        const Image sharp = drawn(Background::quad, 0.0f);
+        const Image blurred = drawn(Background::quad, 1.0f);
+        EXPECT_TRUE(blurred.alpha.empty());
+        int inside = 0;
+        float steepest = 0.0f;
+        for (int i = 1; i < kWidth * kHeight; ++i) {
+            const glm::vec3 here = blurred.pixels()[i], before = blurred.pixels()[i - 1];
+            if (bare.alpha[i] == 1.0f) {
+                ++inside;
+                EXPECT_LT(glm::distance(here, sharp.pixels()[i]), 1e-4f * glm::length(here));
+            } else if (bare.alpha[i] == 0.0f && bare.alpha[i - 1] == 0.0f && i % kWidth != 0) {
+                steepest = std::max(steepest, glm::distance(here, before) / glm::length(here));
+            }
+        }
+        EXPECT_GT(inside, 100);
+        // Irradiance is the integral against a cosine: over a pixel of 0.01 it changes by little.
+        EXPECT_LT(steepest, 0.05f);
+
+        // Of uniform light nothing is to be seen; half floats are right to 2^-11.
+        renderer.setEnvironment(uniform({0.25f, 0.5f, 1.0f}));
+        const Image even = drawn(Background::quad, 0.5f);
+        for (const glm::vec3 pixel : even.pixels())
+            EXPECT_LT(glm::distance(pixel, glm::vec3(0.25f, 0.5f, 1.0f)), 2e-3f);
+    }
+}
+
 TEST(Renderer, PutsWindowsOfAPictureTogether) {
     const Context context;
     Renderer renderer;

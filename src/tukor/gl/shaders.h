@@ -8,6 +8,7 @@ extern const ShaderSource accumulateFrag;
 extern const ShaderSource backgroundFrag;
 extern const ShaderSource backgroundShellVert;
 extern const ShaderSource backgroundVert;
+extern const ShaderSource behindFrag;
 extern const ShaderSource finishFrag;
 extern const ShaderSource finishVert;
 extern const ShaderSource firstHitFrag;
