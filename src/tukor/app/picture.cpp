@@ -90,6 +90,8 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
         {"options", jsonFromOptions(session.options())},
     };
     if (rendering.rays > 0) save.metadata.push_back({"rays", fmt::format("{}", rendering.rays)});
+    const std::uint64_t faults = rendering.leaks + rendering.inconsistencies;
+    if (faults > 0) save.metadata.push_back({"faulty-rays", fmt::format("{}", faults)});
     if (rendering.samplesPerPixel > 0.0) {
         save.metadata.push_back({"samples", fmt::format("{:.3f}", rendering.samplesPerPixel)});
     }

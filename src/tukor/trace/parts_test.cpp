@@ -128,6 +128,24 @@ TEST(RayCaster, DoesNotSeeTheTriangleThatItLeaves) {
     EXPECT_EQ(same, 0);
 }
 
+TEST(RayCaster, DoesNotMeetANeighbourInTheSamePlaneAtOnce) {
+    Mesh mesh;  // two triangles of a square at y = 0, one below
+    mesh.positions = {{-1, 0, -1},  {1, 0, -1},  {1, 0, 1}, {-1, 0, 1},
+                      {-9, -1, -9}, {9, -1, -9}, {0, -1, 9}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    mesh.normals.assign(7, {0, 1, 0});
+    Scene scene;
+    scene.parts = {{"square", "", metal(), mesh}};
+    const SurfaceTable surfaces(scene);
+    const RayCaster caster(surfaces);
+    const RayHit leaves = caster.cast({0.5f, 1, -0.5f}, {0, -1, 0}, -1);
+    const int skip = surfaces.number(leaves);
+    // Rounding has put its beginning on the other one.
+    const RayHit next = caster.cast({-0.5f, 0, 0.5f}, {0.6f, -0.8f, 0}, skip);
+    ASSERT_EQ(next.surface, 0);
+    EXPECT_EQ(next.triangle, 2) << next.distance;
+}
+
 TEST(MediaAround, KnowsWaterWithinGlass) {
     Scene scene;
     Tumbler tumbler = makeTumbler();

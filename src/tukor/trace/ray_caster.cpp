@@ -1,5 +1,6 @@
 #include "tukor/trace/ray_caster.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -177,9 +178,9 @@ void RayCaster::cast(const RayPacket& rays, int count, Coherence coherence,
 RayHit RayCaster::cast(glm::vec3 origin, glm::vec3 direction, int skip,
                        float beyond) const noexcept {
     RayPacket packet{};
-    if (beyond > 0.0f) {
-        packet.beyond[0] = std::nextafter(beyond, std::numeric_limits<float>::infinity());
-    }
+    // A neighbour in the same plane is met at 0, which Embree takes for not nearer than 0.
+    packet.beyond[0] = std::max(std::nextafter(beyond, std::numeric_limits<float>::infinity()),
+                                std::numeric_limits<float>::min());
     packet.set(0, origin, direction, skip);
     std::array<RayHit, kPacketWidth> hits;
     cast(packet, 1, Coherence::none, hits);
