@@ -17,9 +17,8 @@ RayHit withoutRounding(const Frame& frame, transport::Branch& ray, const RayHit&
         return transport::triesAgain(rounding, ray, true, next.distance, nearness, met.consistent);
     };
     while (triesAgain()) {
-        if (rounding.nudged) {
-            ray.origin = glm::mix(ray.origin, frame.surfaces.centre(ray.skip), transport::kEdge);
-        }
+        if (rounding.nudged)
+            ray.origin = frame.surfaces.nudged(ray.skip, ray.origin, ray.direction);
         next = frame.caster.cast(ray.origin, ray.direction, ray.skip, rounding.beyond);
     }
     return next;

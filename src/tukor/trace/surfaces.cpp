@@ -97,14 +97,14 @@ bool SurfaceTable::disperse() const noexcept {
     return std::any_of(dispersions_.begin(), dispersions_.end(), [](float d) { return d > 0.0f; });
 }
 
-glm::vec3 SurfaceTable::centre(int number) const noexcept {
+glm::vec3 SurfaceTable::nudged(int number, glm::vec3 origin, glm::vec3 direction) const noexcept {
     const auto after =
         std::upper_bound(entries_.begin(), entries_.end(), number,
                          [](int n, const Entry& entry) { return n < entry.firstTriangle; });
     const Entry& entry = *std::prev(after);
-    if (entry.sphere) return entry.sphere->centre;
+    if (entry.sphere) return glm::mix(origin, entry.sphere->centre, transport::kEdge);
     const Triangle& t = entry.triangles[static_cast<std::size_t>(number - entry.firstTriangle)];
-    return t.v0 + (t.e1 + t.e2) / 3.0f;
+    return transport::nudgedOrigin(origin, direction, t.v0, t.e1, t.e2);
 }
 
 }  // namespace tukor::trace

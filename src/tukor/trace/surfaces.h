@@ -12,6 +12,7 @@
 #include "tukor/scene/media.h"
 #include "tukor/scene/scene.h"
 #include "tukor/transport/path_tree.h"
+#include "tukor/transport/rounding.h"
 
 namespace tukor::trace {
 
@@ -83,8 +84,9 @@ public:
         return entries_[static_cast<std::size_t>(hit.surface)].firstTriangle + hit.triangle;
     }
 
-    /// The centre of gravity of a triangle, or the centre of a sphere, by its number.
-    [[nodiscard]] glm::vec3 centre(int number) const noexcept;
+    /// The origin of a ray that leaves the triangle or sphere of that number, off its edges.
+    [[nodiscard]] glm::vec3 nudged(int number, glm::vec3 origin,
+                                   glm::vec3 direction) const noexcept;
 
     /// Starts to bring in what at() reads.
     void prefetch(const RayHit& hit) const noexcept {
@@ -115,10 +117,11 @@ public:
             const Triangle& t = entry.triangles[static_cast<std::size_t>(hit.triangle)];
             s.e1 = t.e1;
             s.e2 = t.e2;
-            s.position = t.v0 + hit.u * t.e1 + hit.v * t.e2;
+            const glm::vec2 uv = transport::awayFromEdges(hit.u, hit.v);
+            s.position = t.v0 + uv.x * t.e1 + uv.y * t.e2;
             s.normalE1 = t.normalE1;
             s.normalE2 = t.normalE2;
-            s.normal = t.n0 + hit.u * t.normalE1 + hit.v * t.normalE2;
+            s.normal = t.n0 + uv.x * t.normalE1 + uv.y * t.normalE2;
         }
         s.triangle = entry.firstTriangle + hit.triangle;
         s.kind = static_cast<int>(entry.material.kind);

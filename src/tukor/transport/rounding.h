@@ -6,10 +6,11 @@
 //     while (triesAgain(rounding, tree.branch, found, t, nearness, whether path and surface
 //     agree));
 //
-// after each of which the host moves the branch's origin by kEdge towards the middle of the
-// triangle that it leaves, if rounding.nudged says so.
+// after each of which the host moves the branch's origin to nudgedOrigin() if rounding.nudged says
+// so. What is met is taken to be met at awayFromEdges().
 #pragma once
 #include "tukor/transport/branch.h"
+#include "tukor/transport/surface.h"
 
 TUKOR_SHARED_BEGIN(transport)
 
@@ -39,6 +40,22 @@ TUKOR_FN Rounding exactSoFar() {
 /// `d`.
 TUKOR_FN float nearnessToEdge(float u, float v, vec3 d, vec3 ng) {
     return min(min(u, v), 1.0f - u - v) * abs(dot(d, ng));
+}
+
+/// Where in a triangle a ray that met it at (u, v) goes on: never at its very edge, where rounding
+/// would decide whether the next ray begins before or beyond the neighbouring triangle.
+TUKOR_FN vec2 awayFromEdges(float u, float v) {
+    bool near = min(min(u, v), 1.0f - u - v) < kEdge;
+    return near ? mix(vec2(u, v), vec2(1.0f / 3.0f), 3.0f * kEdge) : vec2(u, v);
+}
+
+/// Where a ray in direction `d` begins instead: a little further within the triangle v0, e1, e2
+/// that it leaves, and off it, to the side where it goes, by what positions are rounded by.
+TUKOR_FN vec3 nudgedOrigin(vec3 origin, vec3 d, vec3 v0, vec3 e1, vec3 e2) {
+    vec3 ng = geometricNormal(e1, e2);
+    vec3 far = abs(origin);
+    float height = 4e-7f * max(far.x, max(far.y, far.z));
+    return mix(origin, v0 + (e1 + e2) / 3.0f, kEdge) + (dot(d, ng) < 0.0f ? -height : height) * ng;
 }
 
 /// Whether what was found at `t`, `nearness` to an edge, or nothing if not `found`, may come of

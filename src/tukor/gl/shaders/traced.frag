@@ -103,12 +103,13 @@ SurfaceHit surfaceHit(BvhHit found, Branch ray) {
         hit.normal = p.normal;
     } else {
         BvhSurface triangle = bvhSurface(max(found.triangle, 0));
-        hit.position = triangle.v0 + found.u * triangle.e1 + found.v * triangle.e2;
+        vec2 uv = awayFromEdges(found.u, found.v);
+        hit.position = triangle.v0 + uv.x * triangle.e1 + uv.y * triangle.e2;
         hit.e1 = triangle.e1;
         hit.e2 = triangle.e2;
         hit.normalE1 = triangle.n1 - triangle.n0;
         hit.normalE2 = triangle.n2 - triangle.n0;
-        hit.normal = triangle.n0 + found.u * hit.normalE1 + found.v * hit.normalE2;
+        hit.normal = triangle.n0 + uv.x * hit.normalE1 + uv.y * hit.normalE2;
     }
     hit.distance = found.t;
     hit.triangle = found.triangle;
@@ -126,10 +127,11 @@ SurfaceHit surfaceHit(BvhHit found, Branch ray) {
     return hit;
 }
 
-vec3 centreOf(int triangle) {
-    if (triangle >= kFirstSphere) return spheres[2 * (triangle - kFirstSphere)].xyz;
-    BvhSurface own = bvhSurface(triangle);
-    return own.v0 + (own.e1 + own.e2) / 3.0;
+// A ray that leaves a triangle or sphere, off its edges.
+vec3 nudged(Branch ray) {
+    if (ray.skip >= kFirstSphere) return mix(ray.origin, spheres[2 * (ray.skip - kFirstSphere)].xyz, kEdge);
+    BvhSurface own = bvhSurface(ray.skip);
+    return nudgedOrigin(ray.origin, ray.direction, own.v0, own.e1, own.e2);
 }
 
 Medium mediumAt(int number) {
@@ -224,9 +226,7 @@ void main() {
 #endif
             float nearness = nearnessToEdge(found.u, found.v, tree.branch.direction, met.face.ng);
             if (triesAgain(rounding, tree.branch, any, found.t, nearness, agrees)) {
-                if (rounding.nudged) {
-                    tree.branch.origin = mix(tree.branch.origin, centreOf(tree.branch.skip), kEdge);
-                }
+                if (rounding.nudged) tree.branch.origin = nudged(tree.branch);
                 continue;
             }
             rounding = exactSoFar();
