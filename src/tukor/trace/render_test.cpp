@@ -97,6 +97,26 @@ TEST(TraceRender, EyesInsideOfGlassSeeOut) {
     EXPECT_LT(mostFrom(r.radiance, 1.0f), 1e-5f);
 }
 
+TEST(TraceRender, RaysThatTouchAnEdgeKeepTrackOfTheirMedia) {
+    // Of water within something of higher priority that does not bend them.
+    Scene scene = sceneOfShape("cube", clear(1.333f, 1));
+    scene.parts.push_back({"around", "", clear(1.0f, 2), scene.parts[0].mesh});
+    for (glm::vec3& p : scene.parts[1].mesh.positions) p *= 2.0f;
+    RenderOptions options = small(1);
+    options.width = options.height = 1;
+    const float edge = boundsOf(scene.parts[0].mesh).most.x;
+    std::uint64_t faults = 0;
+    for (int i = 0; i < 1000; ++i) {
+        Camera camera = eyeAt({0.003f * edge * static_cast<float>(i % 100), 4.0f * edge,
+                               edge * (0.0013f * static_cast<float>(i) - 0.65f)});
+        camera.target = {edge, edge, camera.eye.z};
+        camera.verticalFov = 1e-3f;
+        const Rendering r = render(scene, constantCube(1.0f), camera, options);
+        faults += r.inconsistencies + r.leaks;
+    }
+    EXPECT_EQ(faults, 0u);
+}
+
 TEST(TraceRender, OpenModelsAreCounted) {
     Scene scene = sceneOfShape("sphere", clear(1.5f, 1));
     scene.parts[0].mesh.triangles.resize(scene.parts[0].mesh.triangles.size() / 2);
