@@ -55,6 +55,10 @@ if(EMSCRIPTEN)
     # No run-time types: none is used, and they would bring their names along.
     add_compile_options(-fwasm-exceptions -fno-rtti)
     add_link_options(-fwasm-exceptions)
+    if(TUKOR_WEB_THREADS)
+        add_compile_options(-pthread)
+        add_link_options(-pthread)
+    endif()
 endif()
 
 # Sources that are compiled for speed where others are compiled for size.

@@ -41,6 +41,7 @@ THIRD_PARTY = [
     (r"imgui", "apps/tukor"),
     (r"CLI/", "apps/tukor"),
     (r"emscripten[./]", "apps/web src/tukor/base/number_text.cpp"),
+    (r"pthread\.h$", "apps/web/threads.cpp"),
     (r"benchmark/", "bench"),
     (r"malloc\.h$", "apps/tukor/large_pages.cpp"),
     (r"(unistd|fcntl|dlfcn|poll|signal|csignal)\.h$|sys/", "src/tukor/base src/tukor/image apps src/tukor/app bench fuzz tests"),

@@ -8,8 +8,10 @@ export NODE_PATH=/usr/share/nodejs # where Debian's emscripten keeps its JavaScr
 
 tools/stage_web_deps.sh build/web-deps
 mkdir -p build web/dist
-{ cmake --preset web && cmake --build --preset web; } >build/web.log 2>&1 ||
-    { tail -40 build/web.log >&2; echo "the web build failed; all of it: build/web.log" >&2; exit 1; }
+for preset in web web-threads; do
+    { cmake --preset $preset && cmake --build --preset $preset; } >build/$preset.log 2>&1 ||
+        { tail -40 build/$preset.log >&2; echo "the web build failed; all of it: build/$preset.log" >&2; exit 1; }
+done
 
 cd web
 if [ ! -e node_modules/.package-lock.json ] || [ package-lock.json -nt node_modules/.package-lock.json ]; then
@@ -19,7 +21,9 @@ rm -rf dist
 bundle() {
     node_modules/.bin/esbuild "$@" --bundle --format=esm --minify --target=es2022 --outdir=dist --log-level=warning
 }
-# Others' decoders by themselves, lest what only they need becomes part of what every page fetches; Draco's asks for fs and path in Node.js.
-bundle src/{draco,hdrify,ktx2-zstd,meshopt}.js --external:fs --external:path
-bundle src/tukor-{view,worker,extras,finish,images,unpack}.js --splitting --external:./{draco,hdrify,ktx2-zstd,meshopt}.js
+# Others' decoders and threads by themselves, lest what only they need or share becomes part of what every page fetches; Draco's asks for fs
+# and path in Node.js.
+bundle src/{draco,hdrify,ktx2-zstd,meshopt,tukor-threads}.js --external:fs --external:path
+bundle src/tukor-{view,worker,extras,finish,images,unpack}.js --splitting --external:./{draco,hdrify,ktx2-zstd,meshopt,tukor-threads}.js
 cp ../build/web/apps/web/*.wasm node_modules/draco3dgltf/draco_decoder_gltf.wasm src/tukor-view.d.ts dist/
+for module in ../build/web-threads/apps/web/*.wasm; do cp "$module" "dist/$(basename "$module" .wasm)-threads.wasm"; done

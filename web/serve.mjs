@@ -11,13 +11,13 @@ const photographs = "/usr/share/blender/datafiles/studiolights/world";
 const types = { ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css", ".wasm": "application/wasm",
                 ".json": "application/json", ".png": "image/png", ".glb": "model/gltf-binary", ".gltf": "model/gltf+json" };
 
-/** Starts a server on 127.0.0.1; `extra` maps further paths to bytes. Port 0 takes any free one. */
-export function serve(port, extra = {}) {
+/** Starts a server on 127.0.0.1; `extra` maps further paths to bytes. Port 0 takes any free one. Pages are cross-origin isolated unless told otherwise. */
+export function serve(port, extra = {}, { isolated = true } = {}) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
     const headers = {
       "Content-Type": types[extname(path)] ?? (path.endsWith("/") ? types[".html"] : "application/octet-stream"),
-      "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp", "Cache-Control": "no-cache",
+      ...(isolated && { "Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp" }), "Cache-Control": "no-cache",
       // The strictest policy that the element needs; see docs/web.md.
       "Content-Security-Policy": "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:",
     };

@@ -1,5 +1,5 @@
 // Modules that only some pages fetch.
-import { Library } from "./library.js";
+import { Library, threaded } from "./library.js";
 
 /** The compiled module of that name beside `base`. */
 export async function compiled(name, base) {
@@ -14,11 +14,14 @@ export async function compiled(name, base) {
   }
 }
 
+/** Of each of the library's modules there are two builds. */
+export const buildOf = (name, threads) => `${name}${threads ? "-threads" : ""}.wasm`;
+
 /** A function that gives the one instance of a module, fetched when it is first called; after a failure it is tried anew. */
 export function lazily(name, base, prefix) {
   let library = null;
   return () => {
-    library ??= compiled(name, base).then((module) => Library.create(module, prefix)).catch((error) => {
+    library ??= compiled(buildOf(name, threaded), base).then((module) => Library.create(module, prefix)).catch((error) => {
       library = null;
       throw error;
     });

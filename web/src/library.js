@@ -2,11 +2,12 @@
 
 const VIEWS = { bytes: Uint8Array, chars: Int8Array, shorts: Uint16Array, ints: Int32Array, words: Uint32Array, floats: Float32Array };
 
-/** An instance's memory, as typed arrays over all of it; made anew when it grows. */
+/** Where there may be threads: not where the page itself computes, which must not wait. */
+export const threaded = self.crossOriginIsolated && !self.document;
+
+/** An instance's memory, as typed arrays over all of it; made anew each time, for it grows. */
 export class Memory {
-  renew(buffer) {
-    for (const [name, View] of Object.entries(VIEWS)) this[name] = new View(buffer);
-  }
+  of = null;
 
   /** The text at an address, up to its zero byte or of so many bytes. */
   text(at, size = this.bytes.indexOf(0, at) - at) {
@@ -21,6 +22,8 @@ export class Memory {
   }
 }
 
+for (const [name, View] of Object.entries(VIEWS)) Object.defineProperty(Memory.prototype, name, { get() { return new View(this.of.buffer); } });
+
 /** Digits as JavaScript writes them: the shortest that read back as the same number, or as many as asked for. */
 function digitsOf(value, single, precision, type) {
   const figures = precision < 0 ? 6 : precision;
@@ -32,30 +35,44 @@ function digitsOf(value, single, precision, type) {
   return text;
 }
 
+/** What a module imports: what every one does, and more. */
+export function importsOf(memory, more) {
+  const env = {
+    ...more,
+    emscripten_notify_memory_growth() {},
+    tukorNumberFromText: (at, size) => Number(memory.text(at, size)),
+    tukorTextFromNumber: (value, single, precision, type, out) => memory.put(out, digitsOf(value, single, precision, String.fromCharCode(type))),
+  };
+  const wasi_snapshot_preview1 = {
+    ...more,
+    proc_exit() {
+      throw new Error("the library gave up");
+    },
+  };
+  return { env, math: Math, wasi_snapshot_preview1 };
+}
+
 /** An instance of a module; its functions begin with `prefix`. */
 export class Library {
+  memory = new Memory();
+  crew = null;
+
   /** `more` are imports beside those that every module has, made with the instance's memory. */
   static async create(module, prefix, more = () => ({})) {
     const library = new this();
-    const memory = (library.memory = new Memory());
-    const renew = () => memory.renew(library.wasm.memory.buffer);
-    const env = {
-      emscripten_notify_memory_growth: renew,
-      tukorNumberFromText: (at, size) => Number(memory.text(at, size)),
-      tukorTextFromNumber: (value, single, precision, type, out) => memory.put(out, digitsOf(value, single, precision, String.fromCharCode(type))),
-      ...more(memory),
-    };
-    const wasi_snapshot_preview1 = {
-      proc_exit() {
-        throw new Error("the library gave up");
-      },
-    };
-    const instance = await WebAssembly.instantiate(module, { env, math: Math, wasi_snapshot_preview1 });
+    const { memory } = library;
+    if (threaded) library.crew = new (await import("./tukor-threads.js")).Crew(module, library);
+    const instance = await WebAssembly.instantiate(module, importsOf(memory, { ...library.crew?.imports, ...more(memory) }));
+    const wasm = (library.wasm = instance.exports);
     library.prefix = prefix;
-    library.wasm = instance.exports;
-    renew();
-    library.wasm._initialize();
+    memory.of = library.crew?.memory ?? wasm.memory;
+    (wasm._initialize ?? wasm.__wasm_call_ctors)();
     return library;
+  }
+
+  /** To be awaited before work on so many bytes: where there may be threads, they do their part of it. */
+  gather(bytes) {
+    return this.crew?.gather(bytes);
   }
 
   /** Calls an exported function with numbers, texts and arrays; a negative result is an error whose text the library holds. */

@@ -1,16 +1,17 @@
 // From an element to the side that computes for it: a worker that draws into the element's canvas, or the page itself where workers cannot.
 
-import { compiled } from "./lazily.js";
+import { buildOf, compiled } from "./lazily.js";
 
-let module = null;
+const modules = {};
 
 /** The library, fetched and compiled once a page. */
-function library() {
-  module ??= compiled("tukor.wasm", import.meta.url).catch((error) => {
-    module = null;
+function library(threads) {
+  const name = buildOf("tukor", threads);
+  modules[name] ??= compiled(name, import.meta.url).catch((error) => {
+    delete modules[name];
     throw error;
   });
-  return module;
+  return modules[name];
 }
 
 /** A worker that has said that it can draw; null where it cannot, or may not be started (another origin, a policy). */
@@ -45,7 +46,7 @@ export class Link {
 
   /** `told` hears of "lost" and "restored" contexts. Rejects with a sentence for people when WebGL 2 is missing. */
   static async open(canvas, told) {
-    const [module, worker] = await Promise.all([library(), capableWorker()]);
+    const [module, worker] = await Promise.all([library(crossOriginIsolated), capableWorker()]);
     const link = new Link();
     if (worker) {
       link.#port = worker;
@@ -64,7 +65,7 @@ export class Link {
       };
       link.#listen(told);
       host.canvas = canvas; // cannot be sent
-      await link.ask("start", { module });
+      await link.ask("start", { module: await library() });
     }
     return link;
   }

@@ -1,7 +1,7 @@
 // The second module, on its own so that only pages which need it fetch it: built-in shapes and skies, other model formats, cube maps.
 import { lazily } from "./lazily.js";
 
-const extras = lazily("tukor-extras.wasm", import.meta.url, "extras");
+const extras = lazily("tukor-extras", import.meta.url, "extras");
 
 function made({ wasm, memory }) {
   const at = wasm.extras_bytes();
@@ -11,6 +11,7 @@ function made({ wasm, memory }) {
 /** A scene's bytes: of a built-in shape where there are no bytes. */
 export async function model({ name, bytes = new Uint8Array(), files }) {
   const library = await extras();
+  await library.gather();
   for (const [path, content] of files) library.call("add_file", path, content, content.length);
   library.call("model", name, bytes, bytes.length);
   return made(library);
@@ -25,6 +26,7 @@ async function plainTexture(name, bytes) {
 /** A cube map's texels: of a built-in environment where there is no image, else of one that readEnvironment() read. */
 export async function environment(name, image) {
   const library = await extras();
+  await library.gather();
   const bytes = image?.texture ? await plainTexture(name, image.texture) : (image?.bytes ?? new Uint8Array());
   const faceSize =
     image?.radiance ? library.call("environment_radiance", name, image.radiance, image.width, image.height)

@@ -1,11 +1,12 @@
 // The third module, on its own so that only pages with rough, diffuse or textured surfaces fetch it.
 import { lazily } from "./lazily.js";
 
-const library = lazily("tukor-finish.wasm", import.meta.url, "finish");
+const library = lazily("tukor-finish", import.meta.url, "finish");
 
 /** Of an environment's radiance: its filtered chain and the table of the split sum, as textures hold them; and the shaders. */
 export async function prepare(radiance, { width, height, scale }) {
   const finish = await library();
+  await finish.gather();
   const size = finish.call("light", radiance.subarray(0, 3 * width * height), width, height, scale);
   const bytes = (at, length) => finish.memory.bytes.slice(at, at + length);
   return {

@@ -70,10 +70,12 @@ class Host {
       if (imagesOf(contents).length > 0)
         await (await import("./tukor-images.js")).decodeImages(engine.gl, contents, files, (...image) => images.push(image));
       this.#model = { name, ...plain, images, ...look };
+      await engine.gather(bytes.length);
       this.#read();
       animations = animationsOf(contents);
     } else {
       const scene = await (await import("./tukor-extras.js")).model({ name, bytes, files });
+      await engine.gather(scene.length);
       engine.call("set_scene", scene, scene.length);
     }
     if (animations.length === 0) this.#model = null;
@@ -103,6 +105,7 @@ class Host {
     const image = bytes && (await readEnvironment(name, bytes));
     this.#skyWarnings = [];
     if (image && !image.texture) {
+      await engine.gather(bytes.length);
       const other =
         image.radiance ? engine.call("set_environment_radiance", name, image.radiance, image.width, image.height)
         : image.srgb ? engine.call("set_environment_srgb", name, image.srgb, image.width, image.height)

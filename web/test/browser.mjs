@@ -5,8 +5,8 @@ import { serve } from "../serve.mjs";
 const FLAGS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "--force-color-profile=srgb"];
 
 /** Starts server and browser; `extra` maps further paths to what the server answers. Close it with close(). */
-export async function open(extra = {}, flags = FLAGS) {
-  const server = await serve(0, extra);
+export async function open(extra = {}, { flags = FLAGS, isolated = false } = {}) {
+  const server = await serve(0, extra, { isolated });
   const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: flags });
   const origin = `http://127.0.0.1:${server.address().port}`;
   return {

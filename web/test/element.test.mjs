@@ -264,7 +264,7 @@ test("elements can be taken off the page and put back, many times", async () => 
 });
 
 test("without WebGL 2 it says so", async () => {
-  const bare = await open({ "/test/light.hdr": hdrFile(64), "/test/solid.glb": solidFile() }, ["--disable-gpu", "--disable-software-rasterizer"]);
+  const bare = await open({ "/test/light.hdr": hdrFile(64), "/test/solid.glb": solidFile() }, { flags: ["--disable-gpu", "--disable-software-rasterizer"] });
   const page = await bare.element(gem, small);
   assert.deepEqual((await page.evaluate(() => window.said.filter(({ type }) => type === "error"))).map(({ message }) => message), ["WebGL 2 is not available in this browser"]);
   assert.equal(await page.evaluate(() => window.view.shadowRoot.querySelector("[role=alert]").textContent), "WebGL 2 is not available in this browser");

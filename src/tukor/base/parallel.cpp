@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#ifdef __SANITIZE_THREAD__
+#if defined(__SANITIZE_THREAD__) || defined(__EMSCRIPTEN_PTHREADS__)
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -18,42 +19,108 @@
 
 namespace tukor {
 
-#ifdef __SANITIZE_THREAD__
+#if defined(__SANITIZE_THREAD__) || defined(__EMSCRIPTEN_PTHREADS__)
 
-// ThreadSanitizer does not see how TBB synchronises: it is not compiled with it.
+// Helpers of our own: WebAssembly has no TBB, and ThreadSanitizer does not see how TBB
+// synchronises. Who asks for a loop works on it too, and never waits for a helper to begin: in a
+// browser one may never.
 
 namespace {
-std::atomic<int> threads = 4;
+
+struct Loop {
+    std::atomic<int> next;
+    const int end, step;
+    const std::function<void(int, int)>& body;
+    int helpers = 0;  // in it now; this and `error` under the crew's mutex
+    std::exception_ptr error;
+};
+
+struct Crew {
+    std::mutex mutex;
+    std::condition_variable called, left;
+    std::vector<Loop*> loops;  // that have pieces left, the innermost last
+    int wanted = 1;            // threads, with the caller
+    int helpers = 0;
+};
+
+Crew& crew() {
+    static Crew& only = *new Crew;  // helpers may outlive main()
+    return only;
 }
+
+// How many pieces it did.
+int work(Loop& loop) {
+    int at, pieces = 0;
+    try {
+        for (; (at = loop.next.fetch_add(loop.step)) < loop.end; ++pieces)
+            loop.body(at, std::min(at + loop.step, loop.end));
+    } catch (...) {
+        const std::lock_guard lock(crew().mutex);
+        loop.error = std::current_exception();
+    }
+    const std::lock_guard lock(crew().mutex);
+    std::erase(crew().loops, &loop);
+    return pieces;
+}
+
+thread_local int helped = 0;
+
+void help() {
+    Crew& c = crew();
+    std::unique_lock lock(c.mutex);
+    for (;;) {
+        c.called.wait(lock, [&] { return !c.loops.empty() || c.helpers >= c.wanted; });
+        if (c.helpers >= c.wanted) break;
+        Loop& loop = *c.loops.back();
+        ++loop.helpers;
+        lock.unlock();
+        helped += work(loop);
+        lock.lock();
+        if (--loop.helpers == 0) c.left.notify_all();
+    }
+    --c.helpers;
+}
+
+#ifdef __SANITIZE_THREAD__
+const bool hired = (setThreadCount(0), true);
+#endif
+
+}  // namespace
 
 void parallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body) {
-    const int step = std::max(grain, 1);
-    std::atomic<int> next = begin;
-    std::mutex mutex;
-    std::exception_ptr error;
-    const auto work = [&] {
-        try {
-            for (int at = next.fetch_add(step); at < end; at = next.fetch_add(step))
-                body(at, std::min(at + step, end));
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            error = std::current_exception();
-        }
-    };
-    std::vector<std::thread> others;
-    for (int i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
-    if (error) std::rethrow_exception(error);
+    if (begin >= end) return;
+    Crew& c = crew();
+    Loop loop{begin, end, std::max(grain, 1), body, 0, nullptr};
+    std::unique_lock lock(c.mutex);
+    c.loops.push_back(&loop);
+    lock.unlock();
+    c.called.notify_all();
+    work(loop);
+    lock.lock();
+    c.left.wait(lock, [&] { return loop.helpers == 0; });
+    if (loop.error) std::rethrow_exception(loop.error);
 }
 
-void setThreadCount(int count) {
-    threads = count > 0 ? count : 4;
+void setThreadCount(int threads) {
+    constexpr int kAll = 4;
+    Crew& c = crew();
+    const std::lock_guard lock(c.mutex);
+    c.wanted = threads > 0 ? threads : kAll;
+    for (; c.helpers < c.wanted - 1; ++c.helpers) std::thread(help).detach();
+    c.called.notify_all();
 }
 
 int threadCount() noexcept {
-    return threads;
+    Crew& c = crew();
+    const std::lock_guard lock(c.mutex);
+    return c.wanted;
 }
+
+#ifdef __EMSCRIPTEN_PTHREADS__
+int piecesHelped() noexcept {
+    return helped;
+}
+#endif
 
 #elif defined(TUKOR_HAS_TBB)
 
@@ -84,7 +151,7 @@ int threadCount() noexcept {
 
 #else
 
-// Without TBB: WebAssembly, where parallelFor is a template.
+// WebAssembly without threads, where parallelFor is a template.
 
 void setThreadCount(int) {}
 

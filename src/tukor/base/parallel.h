@@ -11,7 +11,7 @@ namespace tukor {
 ///
 /// Which thread runs which piece varies; results must not depend on it. An exception in a body is
 /// rethrown here.
-#ifdef __EMSCRIPTEN__
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
 template <class Body>  // no threads, and no wrapping of bodies into functions either
 void parallelFor(int begin, int end, int, const Body& body) {
     if (begin < end) body(begin, end);
@@ -43,5 +43,10 @@ template <class Body>
 /// How many threads parallelFor uses from now on; 0 means all cores.
 void setThreadCount(int threads);
 [[nodiscard]] int threadCount() noexcept;
+
+#ifdef __EMSCRIPTEN_PTHREADS__
+/// Pieces of others' loops that the calling thread has done.
+[[nodiscard]] int piecesHelped() noexcept;
+#endif
 
 }  // namespace tukor

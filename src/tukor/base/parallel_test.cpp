@@ -58,6 +58,18 @@ TEST(ParallelFor, TellsHowFarItIsAndStopsWhenAsked) {
     EXPECT_EQ(visits[90], 2);
 }
 
+TEST(ParallelFor, RunsLoopsInsideLoopsWhileTheThreadCountChanges) {
+    for (const int threads : {4, 1, 2, 4}) {
+        setThreadCount(threads);
+        std::atomic<int> visits = 0;
+        parallelFor(0, 10, 1, [&](int, int) {
+            parallelFor(0, 100, 3, [&](int begin, int end) { visits += end - begin; });
+        });
+        EXPECT_EQ(visits, 1000);
+    }
+    setThreadCount(0);
+}
+
 TEST(ParallelFor, TakesTheThreadCountItIsTold) {
     setThreadCount(1);
     EXPECT_EQ(threadCount(), 1);
