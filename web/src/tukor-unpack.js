@@ -2,6 +2,8 @@
 import { viewBytes } from "./gltf-buffers.js";
 import { compiled } from "./lazily.js";
 
+const PER_BYTE = 1024; // points or corners that may come out of a byte of Draco's
+const LEAST_MEMORY = 2 ** 26, MOST_MEMORY = 2 ** 30, MEMORY_EACH = 512; // bytes that its decoder may have
 const FLOAT = 5126, SHORT = 5123, INT = 5125; // of glTF
 
 /** The same model, as {bytes, files}. */
@@ -46,14 +48,27 @@ async function unpackMeshopt(json, bytesOf, put) {
   }
 }
 
-async function unpackDraco(json, bytesOf, put) {
+/** Draco's decoder, anew for each model: a damaged stream may leave it unusable, and nothing has to be freed. `most()` bounds its memory. */
+async function dracoDecoder(most) {
   const [{ default: create }, module] = await Promise.all([import("./draco.js"), compiled("draco_decoder_gltf.wasm", import.meta.url)]);
-  const draco = await create({ // anew for each model: a damaged stream may leave it unusable, and nothing has to be freed
+  return create({
     instantiateWasm(imports, done) {
-      WebAssembly.instantiate(module, imports).then(done);
+      WebAssembly.instantiate(module, imports).then((instance) => {
+        const memory = Object.values(instance.exports).find((value) => value instanceof WebAssembly.Memory);
+        memory.grow = (pages) => {
+          if (memory.buffer.byteLength + 65536 * pages > most()) throw new RangeError();
+          return WebAssembly.Memory.prototype.grow.call(memory, pages);
+        };
+        done(instance);
+      });
       return {};
     },
   });
+}
+
+async function unpackDraco(json, bytesOf, put) {
+  let announced = 0; // points and corners, by the accessors of all streams so far
+  const draco = await dracoDecoder(() => Math.min(MOST_MEMORY, LEAST_MEMORY + MEMORY_EACH * announced));
   const add = (componentType, type, count, array) => {
     const view = json.bufferViews.push(put(new Uint8Array(array.buffer))) - 1;
     return json.accessors.push({ bufferView: view, componentType, type, count }) - 1;
@@ -68,11 +83,16 @@ async function unpackDraco(json, bytesOf, put) {
       const packed = primitive.extensions?.KHR_draco_mesh_compression;
       if (!packed) continue;
       const bytes = bytesOf(json.bufferViews[packed.bufferView]);
+      const [mostPoints, mostCorners] = [primitive.attributes.POSITION, primitive.indices].map((accessor) => json.accessors[accessor].count);
+      announced += mostPoints + mostCorners;
+      if (!(mostPoints + mostCorners <= PER_BYTE * bytes.length)) throw new Error(`${mostPoints} points and ${mostCorners} corners cannot come out of ${bytes.length} bytes`);
       const decoder = new draco.Decoder();
       const mesh = new draco.Mesh();
       const status = decoder.DecodeArrayToMesh(bytes, bytes.length, mesh);
       if (!status.ok()) throw new Error(status.error_msg());
-      const points = mesh.num_points();
+      const points = mesh.num_points(), corners = 3 * mesh.num_faces();
+      if (points > mostPoints || corners > mostCorners)
+        throw new Error(`${points} points and ${corners} corners in a Draco stream; its accessors announce ${mostPoints} and ${mostCorners}`);
       for (const [name, id] of Object.entries(packed.attributes)) {
         const attribute = decoder.GetAttributeByUniqueId(mesh, id);
         if (!attribute.ptr) throw new Error(`no ${name} in a Draco stream`);
@@ -82,7 +102,6 @@ async function unpackDraco(json, bytesOf, put) {
         const array = read(values * width, (size, at) => decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, kind, size, at));
         primitive.attributes[name] = add(component, type, points, array);
       }
-      const corners = 3 * mesh.num_faces();
       primitive.indices = add(INT, "SCALAR", corners, read(4 * corners, (size, at) => decoder.GetTrianglesUInt32Array(mesh, size, at)));
       delete primitive.mode; // always triangles
       delete primitive.extensions.KHR_draco_mesh_compression;

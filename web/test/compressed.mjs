@@ -18,6 +18,13 @@ function packed(json, pieces, name, views) {
   return glbFile(json, Buffer.concat(padded));
 }
 
+/** The same GLB after `change(json, binary)`, which may give another binary chunk. */
+export function changed(glb, change) {
+  const { json, binary } = gltfContents(glb);
+  const other = change(json, binary) ?? binary;
+  return glbFile(json, Buffer.from(other));
+}
+
 /** A copy: where a view of a Buffer begins is nobody's business. */
 const bytesOf = ({ binary }, { byteOffset, byteLength }) => Uint8Array.from(binary.subarray(byteOffset, byteOffset + byteLength));
 

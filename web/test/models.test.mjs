@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { open, picture } from "./browser.mjs";
-import { dracoFile, meshoptFile } from "./compressed.mjs";
+import { changed, dracoFile, meshoptFile } from "./compressed.mjs";
 import { gltfContents } from "../src/gltf-json.js";
 import { hdrFile } from "./light.mjs";
 import { glbFile, pngRow, solidFile } from "./solid.mjs";
@@ -31,11 +31,40 @@ function animated() {
 function damaged(glb) {
   return Buffer.from(glb).fill(0, 28 + glb.readUInt32LE(12));
 }
+/** KTX2 of RGBA floats in zstd, of which a level says that it is so long. */
+function ktx2File(width, height, size) {
+  const frame = Buffer.from([0x28, 0xb5, 0x2f, 0xfd, 0x20, 16, (16 << 3) | 1, 0, 0, ...Array(16).fill(0)]); // one block of 16 bytes as they are
+  const bytes = Buffer.alloc(104 + frame.length);
+  bytes.write("\xabKTX 20\xbb\r\n\x1a\n", "latin1");
+  [109, 4, width, height, 0, 0, 1, 1, 2].forEach((value, i) => bytes.writeUInt32LE(value, 12 + 4 * i));
+  [104, frame.length, size].forEach((value, i) => bytes.writeBigUInt64LE(BigInt(value), 80 + 8 * i));
+  frame.copy(bytes, 104);
+  return bytes;
+}
+
+/** Files that ask for far more than they hold, and what is said of them. */
+function hostile(draco) {
+  const primitive = (json) => json.meshes[0].primitives[0];
+  return {
+    "points.glb": [changed(draco, (json, stream) => { // 100 million of them, in a number of four bytes where one was
+      for (const view of json.bufferViews) view.byteOffset ? (view.byteOffset += 4) : (view.byteLength += 4);
+      json.buffers[0].byteLength += 4;
+      return Buffer.concat([stream.subarray(0, 12), Buffer.from([0x80, 0xc2, 0xd7, 0x2f]), stream.subarray(13), Buffer.alloc(1)]);
+    }), /./],
+    "few.glb": [changed(draco, (json) => void (json.accessors[primitive(json).indices].count = 3)), /6 points and 24 corners in a Draco stream; its accessors announce 6 and 3$/],
+    "many.glb": [changed(draco, (json) => void (json.accessors[primitive(json).attributes.POSITION].count = 1e9)), /1000000000 points and 24 corners cannot come out of \d+ bytes$/],
+    "level.ktx2": [ktx2File(2, 1, 1e9), /1000000000 bytes in level 0; expected at most 32$/],
+    "large.ktx2": [ktx2File(16384, 8192, 16384 * 8192 * 16), /16384 x 8192 pixels in \d+ bytes$/],
+  };
+}
+
 const size = { width: 64, height: 64 };
-let browser;
+let browser, crafted;
 before(async () => {
   const compressed = { draco: await dracoFile(textured), meshopt: await meshoptFile(textured) };
+  crafted = hostile(compressed.draco);
   browser = await open({
+    ...Object.fromEntries(Object.entries(crafted).map(([name, [bytes]]) => [`/test/${name}`, bytes])),
     "/test/light.hdr": hdrFile(64), "/test/textured.glb": textured, "/test/broken.glb": solidFile(matt({ baseColorTexture: { index: 0 } }), { image: Buffer.from("no picture") }),
     "/test/animated.glb": animated(), "/test/draco.glb": compressed.draco, "/test/meshopt.glb": compressed.meshopt,
     "/test/damaged-draco.glb": damaged(compressed.draco), "/test/damaged-meshopt.glb": damaged(compressed.meshopt),
@@ -100,6 +129,23 @@ for (const kind of ["draco", "meshopt"])
     assert.deepEqual(page.errors, []);
     await page.context().close();
   });
+
+test("files that ask for far more than they hold are refused", async () => {
+  const page = await show({ src: "textured.glb" });
+  for (const [name, [, expected]] of Object.entries(crafted)) {
+    await page.evaluate((name) => {
+      window.said.length = 0;
+      window.view[name.endsWith("glb") ? "src" : "environment"] = name;
+    }, name);
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "error"));
+    const { message } = await page.evaluate(() => window.said.find(({ type }) => type === "error"));
+    assert.ok(message.startsWith(`${name}: `), message);
+    assert.match(message, expected);
+    console.log(`# ${message}`);
+  }
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
 
 test("animations are chosen, stand at any moment, play and pause", async () => {
   const page = await show({ src: "animated.glb", material: "gold" });
