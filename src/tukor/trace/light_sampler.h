@@ -1,5 +1,6 @@
 // Directions from which the environment is bright: what rough surfaces ask first.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "tukor/trace/environment_map.h"
@@ -12,8 +13,8 @@ struct LightDirection {
     float pdf = 0.0f;  // 0: none
 };
 
-/// Samples directions in proportion to radiance, in cells of a world-aligned grid of longitude and
-/// latitude. Read-only: threads may share it.
+/// Samples directions in proportion to radiance, bilinear between the nodes of a world-aligned grid
+/// of longitude and latitude, as environments are. Read-only: threads may share it.
 class LightSampler {
 public:
     explicit LightSampler(const EnvironmentMap& environment);
@@ -24,14 +25,13 @@ public:
     [[nodiscard]] float pdf(glm::vec3 direction) const noexcept;
 
 private:
-    [[nodiscard]] float cellPdf(int column, int row, float sinTheta) const noexcept;
+    [[nodiscard]] float pdfAt(float x, float y, float sinTheta) const noexcept;
 
-    int width_;
-    int height_;
     float total_ = 0.0f;
-    std::vector<float> power_;     // of the cells
-    std::vector<float> rowSums_;   // running, height + 1
-    std::vector<float> cellSums_;  // running within each row, (width + 1) * height
+    std::vector<float> density_;        // at the nodes, with a row of zeros at either pole
+    std::vector<float> nodeSums_;       // running along each row
+    std::vector<float> rowSums_;        // running
+    std::vector<std::uint16_t> guide_;  // where searches along a row begin
 };
 
 }  // namespace tukor::trace

@@ -163,7 +163,7 @@ transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcep
             (void)transport::escape(path.tree);
             return true;
         }
-        path.radiance -= frame_.rough->escape(path.tree.branch, path.chosen.pdf);
+        path.radiance -= frame_.rough->escape(path.tree.branch, path.chosen);
     }
     if (frame_.rough->concerns(hit)) {
         path.radiance += frame_.rough->meet(path.tree, hit, surface, met,
@@ -171,9 +171,9 @@ transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcep
                                             path.sampler, path.chosen);
         return true;
     }
-    const float pdf = std::exchange(path.chosen.pdf, 0.0f);
-    if (hit.surface >= 0 || pdf <= 0.0f) return false;
-    path.radiance += frame_.rough->escape(path.tree.branch, pdf);
+    const Chosen chosen = std::exchange(path.chosen, {});
+    if (hit.surface >= 0 || chosen.pdf <= 0.0f) return false;
+    path.radiance += frame_.rough->escape(path.tree.branch, chosen);
     (void)transport::escape(path.tree);
     return true;
 }

@@ -1,6 +1,7 @@
 #include "tukor/trace/rough_event.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,7 +13,9 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kWidestSpread = 0.5f;  // radians, as far as differentials mean anything
 constexpr int kSurestDepth = 3;        // events after which paths may end by chance
-constexpr int kMostSheets = 32;        // that a shadow ray passes
+constexpr std::uint32_t kAsked = 4;    // bright directions, by event
+constexpr float kAnyDistance = std::numeric_limits<float>::infinity();
+constexpr int kMostSheets = 32;  // that a shadow ray passes
 
 /// The power heuristic. [Veach 1997, sec. 9.2.4]
 float shareOf(float pdf, float other) noexcept {
@@ -47,30 +50,29 @@ RoughEvent::RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const R
     if (ground) skyOnGround_ = irradianceFromAbove(environment);
 }
 
-float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction,
-                          float distance) const noexcept {
+float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction, float distance,
+                          RayHit hit) const noexcept {
     float left = 1.0f;
     glm::vec3 origin = at.origin;
-    int skip = at.skip;
     for (int i = 0; i < kMostSheets; ++i) {
-        const RayHit hit = caster_.cast(origin, direction, skip);
         if (hit.surface < 0 || hit.distance > distance) return left;
         if (!concerns(hit)) break;
+        const Finish& finish = *finishes_.finishOf(hit.surface);
+        if (finish.alphaMode == AlphaMode::opaque && !finish.catcher) break;
         const transport::SurfaceHit surface = surfaces_.at(hit, origin, direction);
-        const bool fromBelow = direction.y >= 0.0f && finishes_.finishOf(hit.surface)->catcher;
-        if (fromBelow) {
-            origin = surface.position;
-            skip = surface.triangle;
-            distance -= hit.distance;
-            continue;
-        }
-        left *= finishes_.clearness(hit, surface);
+        const bool fromBelow = direction.y >= 0.0f && finish.catcher;
+        if (!fromBelow) left *= finishes_.clearness(hit, surface);
         if (!(left > 0.0f)) break;
         origin = surface.position;
-        skip = surface.triangle;
         distance -= hit.distance;
+        hit = caster_.cast(origin, direction, surface.triangle);
     }
     return 0.0f;
+}
+
+float RoughEvent::visible(const transport::Branch& at, glm::vec3 direction,
+                          float distance) const noexcept {
+    return visible(at, direction, distance, caster_.cast(at.origin, direction, at.skip));
 }
 
 glm::vec3 RoughEvent::lamplight(const Layered& layers, const transport::Branch& at) const noexcept {
@@ -84,21 +86,41 @@ glm::vec3 RoughEvent::lamplight(const Layered& layers, const transport::Branch& 
 }
 
 glm::vec3 RoughEvent::direct(const Layered& layers, const transport::Branch& at,
-                             glm::vec2 u) const noexcept {
+                             PathSampler& sampler) const noexcept {
     if (at.media != 0u) return glm::vec3(0.0f);  // the way out of a solid is never straight
-    const glm::vec3 lamps = lamplight(layers, at);
-    const LightDirection light = lights_->sample(u);
-    if (!(light.pdf > 0.0f)) return lamps;
-    const LobeValue lobes = layers.eval(light.direction);
-    if (!(transport::heaviness(lobes.value) > 0.0f)) return lamps;
-    const float seen = visible(at, light.direction, std::numeric_limits<float>::infinity());
-    if (!(seen > 0.0f)) return lamps;
-    return lamps + lobes.value * environment_.radiance(light.direction, 0.0f) *
-                       (seen * shareOf(light.pdf, lobes.pdf) / light.pdf);
+    RayPacket rays;
+    LookUpBatch lookUps;
+    std::array<glm::vec3, kPacketWidth> weights;
+    int count = 0;
+    const PathSampler::Points points = sampler.begin(kAsked);
+    for (std::uint32_t i = 0; i < kAsked; ++i) {
+        const LightDirection light = lights_->sample(points.at(i));
+        if (!(light.pdf > 0.0f)) continue;
+        const LobeValue lobes = layers.eval(light.direction);
+        if (!(transport::heaviness(lobes.value) > 0.0f)) continue;
+        const float pdf = kAsked * light.pdf;
+        weights[static_cast<std::size_t>(count)] = lobes.value * (shareOf(pdf, lobes.pdf) / pdf);
+        environment_.add(lookUps, light.direction, 0.0f);
+        rays.set(count++, at.origin, light.direction, at.skip);
+    }
+    glm::vec3 sum = lamplight(layers, at);
+    if (count == 0) return sum;
+    environment_.look(lookUps);
+    std::array<RayHit, kPacketWidth> hits;
+    caster_.cast(rays, count, Coherence::none, hits);
+    for (int i = 0; i < count; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        const glm::vec3 wi(rays.directionX[n], rays.directionY[n], rays.directionZ[n]);
+        if (const float seen = visible(at, wi, kAnyDistance, hits[n]); seen > 0.0f)
+            sum += weights[n] * lookUps.sum(i, 1) * seen;
+    }
+    return sum;
 }
 
-glm::vec3 RoughEvent::escape(const transport::Branch& branch, float pdf) const noexcept {
-    const float share = branch.media != 0u ? 1.0f : shareOf(pdf, lights_->pdf(branch.direction));
+glm::vec3 RoughEvent::escape(const transport::Branch& branch, const Chosen& chosen) const noexcept {
+    const float share = branch.media != 0u
+                            ? 1.0f
+                            : shareOf(chosen.pdf, chosen.asked * lights_->pdf(branch.direction));
     return branch.throughput * environment_.radiance(branch.direction, 0.0f) * share;
 }
 
@@ -125,7 +147,6 @@ glm::vec3 RoughEvent::meetGround(transport::Tree& tree, transport::Branch at, Pa
         if (light.wi.y > 0.0f)
             taken += light.E * (light.wi.y * (1.0f - visible(at, light.wi, light.distance)));
     }
-    constexpr float kAnyDistance = std::numeric_limits<float>::infinity();
     const LightDirection light = lights_->sample(sampler.point());
     if (light.pdf > 0.0f && light.direction.y > 0.0f) {
         const float hidden = 1.0f - visible(at, light.direction, kAnyDistance);
@@ -201,7 +222,7 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
     const Layered layers(look, base, solid ? to.eta / from.eta : 1.0f,
                          solid ? finishes_.clearAlbedo(hit.surface, to.eta > from.eta) : nullptr,
                          -d);
-    radiance += at.throughput * direct(layers, at, sampler.point());
+    radiance += at.throughput * direct(layers, at, sampler);
 
     const glm::vec2 u = sampler.point();
     LobeSample sample = layers.sample(sampler.point().x, u);
@@ -222,7 +243,7 @@ glm::vec3 RoughEvent::meet(transport::Tree& tree, const RayHit& hit,
         const float spread =
             std::min(1.0f / std::sqrt(sample.pdf * expectedSamples_), kWidestSpread);
         at.footprint = spreadFootprint(at.direction, spread);
-        if (!enclosed) chosen.pdf = sample.pdf;
+        if (!enclosed) chosen = {sample.pdf, false, kAsked};
     } else if (!sample.through) {
         at.footprint = transport::reflectedFootprint(
             footprint, transport::normalChangeOver(footprint, surface, met.face), met.face, d);

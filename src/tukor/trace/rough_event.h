@@ -13,6 +13,7 @@ namespace tukor::trace {
 struct Chosen {
     float pdf = 0.0f;  // where RoughEvent chose it, and light is to be weighted by that; else 0
     bool catching = false;  // from ground: light that arrives unhindered is counted already
+    float asked = 1.0f;     // bright directions that the light was shared with
 };
 
 /// The tracer's part for surfaces that are not ideally smooth. Threads may share it.
@@ -45,21 +46,23 @@ public:
                                  const transport::Encounter& met, const Media& media,
                                  PathSampler& sampler, Chosen& chosen) const noexcept;
 
-    /// The radiance of a branch that leaves the scene in the direction that meet() sampled with
-    /// `pdf`.
-    [[nodiscard]] glm::vec3 escape(const transport::Branch& branch, float pdf) const noexcept;
+    /// The radiance of a branch that leaves the scene in the direction that meet() has chosen.
+    [[nodiscard]] glm::vec3 escape(const transport::Branch& branch,
+                                   const Chosen& chosen) const noexcept;
 
 private:
     /// The share of light that comes over `distance` from `direction`.
     [[nodiscard]] float visible(const transport::Branch& at, glm::vec3 direction,
                                 float distance) const noexcept;
+    [[nodiscard]] float visible(const transport::Branch& at, glm::vec3 direction, float distance,
+                                RayHit first) const noexcept;
     [[nodiscard]] glm::vec3 lamplight(const Layered& layers,
                                       const transport::Branch& at) const noexcept;
     /// Of ground; `at` lies on it.
     [[nodiscard]] glm::vec3 meetGround(transport::Tree& tree, transport::Branch at,
                                        PathSampler& sampler, Chosen& chosen) const noexcept;
     [[nodiscard]] glm::vec3 direct(const Layered& layers, const transport::Branch& at,
-                                   glm::vec2 u) const noexcept;
+                                   PathSampler& sampler) const noexcept;
 
     const SurfaceTable& surfaces_;
     const RayCaster& caster_;

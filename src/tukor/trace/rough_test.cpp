@@ -1,7 +1,10 @@
 // Pictures of surfaces with a finish: the white furnace, shadows, alpha, light and its absence.
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "tukor/scene/finish.h"
+#include "tukor/trace/light_sampler.h"
 #include "tukor/trace/render.h"
 #include "tukor/trace/test_scenes.h"
 
@@ -31,6 +34,28 @@ glm::vec3 meanOf(const Image& image) {
     glm::dvec3 sum(0.0);
     for (const glm::vec3 pixel : image.pixels()) sum += glm::dvec3(pixel);
     return glm::vec3(sum / static_cast<double>(image.pixels().size()));
+}
+
+// The mean of 1 / pdf over samples is the measure of the sphere, of f / pdf the integral of f: here
+// of a squared cosine, 4 pi / 3. A tenth of white in the map keeps the weights below 11; 65536
+// well-distributed samples leave less than 0.3 %.
+TEST(LightSampler, SamplesWithTheDensityThatItTells) {
+    Image panorama(64, 32);
+    for (std::size_t i = 0; i < panorama.pixels().size(); ++i)
+        panorama.pixels()[i] = glm::vec3(i * 2654435761u % 37 == 0 ? 10.0f : 1.0f);
+    const EnvironmentMap map(panorama, 0.3f, 1.0f);
+    const LightSampler lights(map);
+    constexpr std::uint32_t kSamples = 65536;
+    double measure = 0.0, squares = 0.0;
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const LightDirection light = lights.sample(transport::pixelSample(5u, i));
+        ASSERT_GT(light.pdf, 0.0f);
+        EXPECT_NEAR(lights.pdf(light.direction) / light.pdf, 1.0f, 0.02f);
+        measure += 1.0 / light.pdf / kSamples;
+        squares += light.direction.x * light.direction.x / light.pdf / kSamples;
+    }
+    EXPECT_NEAR(measure / (4.0 * std::numbers::pi), 1.0, 0.003);
+    EXPECT_NEAR(squares / (4.0 * std::numbers::pi / 3.0), 1.0, 0.003);
 }
 
 // Every pixel is 1 in the mean, whatever is in front of it: 1 % by the tables, the rest is noise of

@@ -14,10 +14,18 @@ struct PathSampler {
     std::uint32_t index = 0;  // of the sample in its pixel
     std::uint32_t next = 0;   // sequence
 
-    [[nodiscard]] glm::vec2 point() noexcept {
-        const std::uint32_t seed = transport::mixedBits(pixelSeed + 0x9e3779b9u * ++next);
-        return transport::pixelSample(seed,
-                                      transport::owenScrambled(index, transport::mixedBits(seed)));
+    [[nodiscard]] glm::vec2 point() noexcept { return begin(1).at(0); }
+
+    /// Points of one sequence, as many for each sample.
+    struct Points {
+        std::uint32_t seed, first;
+        [[nodiscard]] glm::vec2 at(std::uint32_t i) const noexcept {
+            return transport::pixelSample(
+                seed, transport::owenScrambled(first + i, transport::mixedBits(seed)));
+        }
+    };
+    [[nodiscard]] Points begin(std::uint32_t each) noexcept {
+        return {transport::mixedBits(pixelSeed + 0x9e3779b9u * ++next), each * index};
     }
 };
 

@@ -35,15 +35,14 @@ TUKOR_FN uint owenScrambled(uint x, uint seed) {
     return owenScrambledReverse(reversedBits(x), seed);
 }
 
-/// The second dimension of the Sobol sequence; the first is reversedBits.
-TUKOR_FN uint sobolSecond(uint index) {
-    uint result = 0u;
-    uint v = 0x80000000u;
-    for (uint rest = index; rest != 0u; rest = rest >> 1u) {
-        if ((rest & 1u) != 0u) result = result ^ v;
-        v = v ^ (v >> 1u);
-    }
-    return result;
+/// The bits in reverse of the second dimension of the Sobol sequence, Pascal's triangle modulo 2;
+/// of the first they are the index itself. [Ahmed 2024]
+TUKOR_FN uint sobolSecondReverse(uint index) {
+    uint x = index ^ (index >> 16u);
+    x = x ^ ((x & 0xff00ff00u) >> 8u);
+    x = x ^ ((x & 0xf0f0f0f0u) >> 4u);
+    x = x ^ ((x & 0xccccccccu) >> 2u);
+    return x ^ ((x & 0xaaaaaaaau) >> 1u);
 }
 
 /// The seed of a pixel by its number, row by row from the top, in the picture with `pictureSeed`.
@@ -55,7 +54,7 @@ TUKOR_FN uint pixelSeed(uint pixel, uint pictureSeed) {
 /// a (0, k, 2)-net.
 TUKOR_FN vec2 pixelSample(uint seed, uint index) {
     uint x = owenScrambledReverse(index, mixedBits(seed + 1u));
-    uint y = owenScrambled(sobolSecond(index), mixedBits(seed + 2u));
+    uint y = owenScrambledReverse(sobolSecondReverse(index), mixedBits(seed + 2u));
     float scale = 1.0f / 16777216.0f;  // 24 bits: the result stays below 1
     return vec2(float(x >> 8u) * scale, float(y >> 8u) * scale);
 }
