@@ -250,20 +250,23 @@ def colors():
     return s
 
 
+GLASS = {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_volume": {"thicknessFactor": 1}}
+
+
+def tiled_floor(s, width, depth):
+    tiles = checker(256, 8, (200, 200, 200, 255), (110, 110, 115, 255))
+    s.sheet(s.material((1, 1, 1, 1), 0, 0.5, textures={"baseColorTexture": s.texture(tiles)}), width, depth, y=-0.5, lying=True)
+
+
 def group():
     """Rough and diffuse things beside exact glass and metal, on a floor."""
     s = Scene()
-    tiles = checker(256, 8, (200, 200, 200, 255), (110, 110, 115, 255))
-    s.sheet(s.material((1, 1, 1, 1), 0, 0.5, textures={"baseColorTexture": s.texture(tiles)}), 6, 4, y=-0.5, lying=True)
-    glass = {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_volume": {"thicknessFactor": 1}}
-    s.sphere(-1.7, s.material((1, 1, 1, 1), 0, 0, glass), name="glass")
+    tiled_floor(s, 6, 4)
+    s.sphere(-1.7, s.material((1, 1, 1, 1), 0, 0, GLASS), name="glass")
     s.sphere(-0.55, s.material((1.0, 0.77, 0.34, 1), 1, 0.3), name="rough gold")
     s.sphere(0.55, s.material((0.7, 0.1, 0.08, 1), 0, 0.6), name="clay")
     s.sphere(1.7, s.material((1.0, 0.77, 0.34, 1), 1, 0), name="gold")
     return s
-
-
-GLASS = {"KHR_materials_transmission": {"transmissionFactor": 1}, "KHR_materials_volume": {"thicknessFactor": 1}}
 
 
 def behind():
@@ -282,8 +285,22 @@ def behind():
     return s
 
 
+def rough():
+    """Rough gold, clay, textured spheres and a white one on a floor, to be measured."""
+    base = checker(256, 8, (230, 180, 60, 255), (40, 60, 120, 255))
+    figures = png(256, 256, lambda x, y: (255, 40 + 200 * (x * 8 // 256 % 2), 255 * (y * 8 // 256 % 2), 255))
+    s = Scene()
+    tiled_floor(s, 8, 5)
+    s.sphere(-2.3, s.material((1.0, 0.77, 0.34, 1), 1, 0.3))
+    s.sphere(-1.15, s.material((0.7, 0.1, 0.08, 1), 0, 0.6))
+    s.sphere(0, s.material((1, 1, 1, 1), 0, 0.3, textures={"baseColorTexture": s.texture(base)}))
+    s.sphere(1.15, s.material((0.9, 0.85, 0.8, 1), 1, 1, textures={"metallicRoughnessTexture": s.texture(figures)}))
+    s.sphere(2.3, s.material((0.8, 0.8, 0.8, 1), 0, 1))
+    return s
+
+
 SCENES = {f.__name__: f for f in (metal, plastic, metallic, ior, specular, clearcoat, sheen, anisotropy, iridescence, frosted,
-                                  thin, emission, unlit, blend, textured, mask, colors, group, behind)}
+                                  thin, emission, unlit, blend, textured, mask, colors, group, behind, rough)}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2:

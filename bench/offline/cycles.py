@@ -1,4 +1,4 @@
-# Run inside Blender by offline.py: renders the OBJs with Cycles, smooth gold and glass under an equirectangular map, one thread.
+# Run inside Blender by scenes.py: renders OBJs of smooth gold and glass, or glTF, with Cycles under an equirectangular map, one thread.
 #
 # blender -b --factory-startup --python cycles.py -- JSON
 import json
@@ -7,6 +7,7 @@ import sys
 import time
 
 import bpy
+import mathutils
 
 job = json.loads(sys.argv[sys.argv.index("--") + 1])
 bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -31,7 +32,20 @@ def smooth_material(kind):
     return material
 
 
+def import_gltf(path):
+    import numpy
+    numpy.bool = bool  # Blender 3.4's importer asks for it; Debian's numpy has it no more
+    bpy.ops.import_scene.gltf(filepath=path)
+    for material in bpy.data.materials:
+        for node in material.node_tree.nodes if material.use_nodes else ():
+            if node.type == "BSDF_PRINCIPLED":
+                node.distribution = "MULTI_GGX"  # keeps energy, as we do
+
+
 for path, kind in job["models"]:
+    if path.endswith(".glb"):
+        import_gltf(path)
+        continue
     bpy.ops.wm.obj_import(filepath=path, forward_axis="NEGATIVE_Z", up_axis="Y")
     for item in bpy.context.selected_objects:
         item.data.materials.clear()
@@ -55,8 +69,9 @@ links.new(image.outputs["Color"], nodes["Background"].inputs["Color"])
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 scene.collection.objects.link(camera)
 scene.camera = camera
-camera.location = (job["eye"][0], -job["eye"][2], job["eye"][1])
-camera.rotation_euler = (math.pi / 2, 0.0, 0.0)  # from the eye along our -Z
+eye, target = (mathutils.Vector((p[0], -p[2], p[1])) for p in (job["eye"], job["target"]))  # our +Y is Blender's +Z
+camera.location = eye
+camera.rotation_euler = (target - eye).to_track_quat("-Z", "Y").to_euler()
 camera.data.sensor_fit = "VERTICAL"
 camera.data.angle = math.radians(job["fov"])
 
@@ -70,7 +85,7 @@ cycles.samples = job["samples"]
 cycles.seed = job["seed"]
 cycles.use_adaptive_sampling = cycles.use_denoising = False
 cycles.pixel_filter_type = "BOX"
-cycles.max_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 32
+cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 32
 cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
 cycles.blur_glossy = 0.0
 cycles.caustics_reflective = cycles.caustics_refractive = True

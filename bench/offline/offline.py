@@ -7,7 +7,6 @@ after: cmake --preset release -DTUKOR_BENCH=ON && cmake --build --preset release
 needs: tools/install_packages.sh bench
 """
 import argparse
-import json
 
 import scenes
 from curves import cpu_at, svg
@@ -15,23 +14,12 @@ from curves import cpu_at, svg
 ERRORS, SAMPLES = "6,3,1.5,0.75", "4,16,64"
 
 
-def cached(renderer, scene, map_name, quality, again):
-    """(CPU, picture) of a peer; its time is kept beside the picture."""
-    note = scenes.FOLDER / f"{renderer.__name__}-{scene}-{map_name}-{'-'.join(map(str, quality))}.json"
-    if note.exists() and not again:
-        cpu, picture = json.loads(note.read_text())
-    else:
-        cpu, picture = renderer(scene, map_name, *quality)
-        note.write_text(json.dumps([cpu, str(picture)]))
-    return cpu, picture
-
-
 def measure(scene, map_name, args):
     """Curves of all renderers on one scene, and the row of the table."""
     references = scenes.reference(scene, map_name, args.reference)
-    peers = [("Cycles", cached(scenes.cycles, scene, map_name, q, args.peers_again)) for q in ((256, 1), (256, 2), (64, 1))]
+    peers = [("Cycles", scenes.cached(scenes.cycles, scene, map_name, q, args.peers_again)) for q in ((256, 1), (256, 2), (64, 1))]
     if args.povray:
-        peers += [("POV-Ray", cached(scenes.povray, scene, map_name, (q,), args.peers_again)) for q in (2, 4)]
+        peers += [("POV-Ray", scenes.cached(scenes.povray, scene, map_name, (q,), args.peers_again)) for q in (2, 4)]
     ours = [("tukor", scenes.tukor(scene, map_name, ["--error", e])) for e in args.errors.split(",")]
     ours += [("tukor --samples", scenes.tukor(scene, map_name, ["--samples", n])) for n in args.samples.split(",")]
     noise, *errors, common = scenes.errors(references, [picture for _, (_, picture) in peers + ours])

@@ -13,6 +13,8 @@ TUKOR = BUILD / "apps/tukor/tukor"
 FOLDER = ROOT / "build/offline"  # models, environments, pictures; references stay for the next run
 PHOTOGRAPHS = pathlib.Path("/usr/share/blender/datafiles/studiolights/world")
 TINT, IOR, EYE_Z, FOV, SIZE = (1.0, 0.77, 0.34), 1.5, 9.0, 25.0, (480, 270)
+ROUGH = ["rough", "group"]  # of tools/feature_scenes.py
+EYE, TARGET, ROUGH_SIZE = (0.0, 2.0, 8.0), (0.0, -0.1, 0.0), (320, 180)  # of these
 MODELS = {"knot": ("torus-knot", -2.4, "gold"), "sphere": ("sphere", 0.0, "glass"), "mesh": ("torus-knot", 2.4, "glass")}
 SCENES = {"all": ["knot", "sphere", "mesh"], "knot": ["knot"], "sphere": ["sphere"], "mesh": ["mesh"]}
 MATERIALS = {"gold": "mirror:" + ",".join(map(str, TINT)), "glass": f"ior:{IOR}"}
@@ -61,18 +63,34 @@ def header_text(path, key):
     return data[at + 4:at + 4 + int.from_bytes(data[at:at + 4], "little")].decode()
 
 
+def rough_model(scene):
+    out = FOLDER / f"{scene}.glb"
+    if not out.exists():
+        run([sys.executable, ROOT / "tools/feature_scenes.py", FOLDER, scene])
+    return out
+
+
+def view(scene):
+    """(eye, target, size)"""
+    return (EYE, TARGET, ROUGH_SIZE) if scene in ROUGH else ((0.0, 0.0, EYE_Z), (0.0, 0.0, 0.0), SIZE)
+
+
 def models_for_tukor(scene):
+    if scene in ROUGH:
+        return [rough_model(scene)]
     words = []
     for name in SCENES[scene]:
         words += [f"{name}.obj", "--material", f"{name}={MATERIALS[MODELS[name][2]]}"]
     return words
 
 
-def tukor(scene, map_name, quality, seed=0, out=None, threads=1, size=SIZE):
+def tukor(scene, map_name, quality, seed=0, out=None, threads=1, size=None):
     """`quality`: words such as --samples 16. (CPU seconds of the whole process, picture)"""
+    eye, target, usual = view(scene)
+    eye, target = (",".join(map(str, point)) for point in (eye, target))
     out = out or FOLDER / f"tukor-{scene}-{map_name}{''.join(map(str, quality))}-{seed}.exr"
     cpu, _ = run([TUKOR, "render", "--quiet", "--renderer", "trace", "--threads", threads, "--environment", environment(map_name),
-                  "--eye", f"0,0,{EYE_Z}", "--target", "0,0,0", "--fov", FOV, "--size", "%dx%d" % size, "--seed", seed, *quality,
+                  "--eye", eye, "--target", target, "--fov", FOV, "--size", "%dx%d" % (size or usual), "--seed", seed, *quality,
                   "-o", out, *models_for_tukor(scene)])
     return cpu, out
 
@@ -95,11 +113,23 @@ def reference(scene, map_name, samples):
 def cycles(scene, map_name, samples, seed=1):
     """(CPU seconds of the render alone, without Blender's start and import, picture)"""
     out = FOLDER / f"cycles-{scene}-{map_name}-{samples}-{seed}.exr"
-    job = {"models": [[str(FOLDER / f"{name}.obj"), MODELS[name][2]] for name in SCENES[scene]], "tint": TINT, "ior": IOR,
-           "environment": str(environment(map_name)), "eye": (0.0, 0.0, EYE_Z), "fov": FOV, "size": SIZE, "samples": samples,
-           "seed": seed, "out": str(out)}
+    models = [[str(rough_model(scene)), ""]] if scene in ROUGH else [[str(FOLDER / f"{name}.obj"), MODELS[name][2]] for name in SCENES[scene]]
+    eye, target, size = view(scene)
+    job = {"models": models, "tint": TINT, "ior": IOR, "environment": str(environment(map_name)), "eye": eye, "target": target,
+           "fov": FOV, "size": size, "samples": samples, "seed": seed, "out": str(out)}
     _, text = run(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/cycles.py", "--", json.dumps(job)])
     return float(re.search(r"CYCLES_CPU ([\d.]+)", text)[1]), out
+
+
+def cached(renderer, scene, map_name, quality, again):
+    """(CPU seconds, picture) of a peer; its time is kept beside the picture."""
+    note = FOLDER / f"{renderer.__name__}-{scene}-{map_name}-{'-'.join(map(str, quality))}.json"
+    if note.exists() and not again:
+        cpu, picture = json.loads(note.read_text())
+    else:
+        cpu, picture = renderer(scene, map_name, *quality)
+        note.write_text(json.dumps([cpu, str(picture)]))
+    return cpu, picture
 
 
 def pov_mesh(name):
