@@ -23,6 +23,7 @@
 #pragma once
 #include "tukor/optics/absorption.h"
 #include "tukor/transport/branch.h"
+#include "tukor/transport/rounding.h"
 #include "tukor/transport/scattering.h"
 
 TUKOR_SHARED_BEGIN(transport)
@@ -97,6 +98,7 @@ TUKOR_FN Branch reflectedBranch(Branch at, NormalChange change, Encounter met, S
     Branch branch = at;
     branch.footprint = reflectedFootprint(at.footprint, change, met.face, at.direction);
     branch.direction = s.reflected;
+    branch.origin = leavingFrom(at.origin, s.reflected);
     branch.throughput = at.throughput * s.R;
     return branch;
 }
@@ -106,6 +108,7 @@ TUKOR_FN Branch refractedBranch(Branch at, NormalChange change, Encounter met, S
     branch.footprint =
         refractedFootprint(at.footprint, change, met.face, at.direction, s.eta, s.cosThetaT);
     branch.direction = s.refracted;
+    branch.origin = leavingFrom(at.origin, s.refracted);
     branch.throughput = at.throughput * s.T;
     branch.media = met.beyond;
     return branch;
@@ -172,6 +175,7 @@ TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met,
     at.skip = hit.triangle;
     if (hit.kind == kDielectric && from.eta == to.eta) {  // nothing to be seen: straight on
         at.media = met.beyond;
+        at.origin = leavingFrom(hit.position, at.direction);
         tree.branch = at;
         return noDeposits();
     }

@@ -42,6 +42,18 @@ TUKOR_FN float nearnessToEdge(float u, float v, vec3 d, vec3 ng) {
     return min(min(u, v), 1.0f - u - v) * abs(dot(d, ng));
 }
 
+/// By how much a position is off the surface on which it lies, and more, in metres.
+TUKOR_FN float roundingAt(vec3 position) {
+    vec3 far = abs(position);
+    return 4e-7f * max(far.x, max(far.y, far.z));
+}
+
+/// Where a ray begins that leaves a surface at `position`: a rounding before it, so that another
+/// surface there, as where two solids intersect, is not behind it.
+TUKOR_FN vec3 leavingFrom(vec3 position, vec3 d) {
+    return position - roundingAt(position) * d;
+}
+
 /// Where in a triangle a ray that met it at (u, v) goes on: never at its very edge, where rounding
 /// would decide whether the next ray begins before or beyond the neighbouring triangle.
 TUKOR_FN vec2 awayFromEdges(float u, float v) {
@@ -53,9 +65,8 @@ TUKOR_FN vec2 awayFromEdges(float u, float v) {
 /// that it leaves, and off it, to the side where it goes, by what positions are rounded by.
 TUKOR_FN vec3 nudgedOrigin(vec3 origin, vec3 d, vec3 v0, vec3 e1, vec3 e2) {
     vec3 ng = geometricNormal(e1, e2);
-    vec3 far = abs(origin);
-    float height = 4e-7f * max(far.x, max(far.y, far.z));
-    return mix(origin, v0 + (e1 + e2) / 3.0f, kEdge) + (dot(d, ng) < 0.0f ? -height : height) * ng;
+    float height = dot(d, ng) < 0.0f ? -roundingAt(origin) : roundingAt(origin);
+    return mix(origin, v0 + (e1 + e2) / 3.0f, kEdge) + height * ng;
 }
 
 /// Whether what was found at `t`, `nearness` to an edge, or nothing if not `found`, may come of
@@ -66,12 +77,14 @@ TUKOR_FN bool triesAgain(TUKOR_INOUT(Rounding) rounding, Branch ray, bool found,
                          float nearness, bool agrees) {
     int last = kMostAtCorner + 2;
     if (agrees || rounding.tries >= last) return false;
-    bool onEdge = found && nearness < kEdge;
+    bool behind = ray.skip >= 0 && t < 2.0f * roundingAt(ray.origin);
+    bool onEdge = found && (nearness < kEdge || behind);
     if (rounding.tries == 0 && ray.skip < 0 && !onEdge) return false;
     rounding.nudged = false;
     if (rounding.tries < kMostAtCorner && onEdge) {
-        // A ray that starts at an edge may meet the neighbouring triangle at once, and one that
-        // passes a silhouette the triangle behind it: look further along the ray.
+        // A ray that starts at an edge may meet the neighbouring triangle at once, or what it met
+        // before, and one that passes a silhouette the triangle behind it: look further along the
+        // ray.
         rounding.beyond = t;
         rounding.tries = rounding.tries + 1;
         return true;
