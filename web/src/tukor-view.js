@@ -55,6 +55,7 @@ export class TukorView extends HTMLElement {
     this.#link?.close();
     this.#visible = false;
     this.#forget();
+    this.#sources.names.src = "";
     this.#stage.renewCanvas();
   }
 
@@ -210,7 +211,7 @@ export class TukorView extends HTMLElement {
   }
 
   #sendAll() {
-    for (const name of OPTIONS) if (this.hasAttribute(name)) this.#guard(() => this.#option(name));
+    for (const name of OPTIONS) if (name !== "time-seconds" && this.hasAttribute(name)) this.#guard(() => this.#option(name));
     return Promise.all([this.#loadModel(), this.#loadEnvironment()]);
   }
 
@@ -230,7 +231,7 @@ export class TukorView extends HTMLElement {
       const files = bytes ? await neighbours(bytes, name, url) : [];
       if (!current()) return;
       const [variant, animation] = ["variant", "animation"].map((attribute) => this.getAttribute(attribute) ?? "");
-      const same = this.#sources.isReady("src") && this.#sources.names.src === this.#sources.nameOf("src", this.getAttribute("src"));
+      const same = this.#sources.names.src === this.#sources.nameOf("src", this.getAttribute("src"));
       if (!same) this.#clock.seconds = figureOf(this, "time-seconds");
       const { seconds } = this.#clock;
       const { framing, parts, animations } = await this.#link.ask("model", { name, bytes, files, aspect: this.#stage.aspect, variant, animation, seconds }, bytes ? [bytes.buffer] : []);

@@ -179,6 +179,30 @@ test("animations are chosen, stand at any moment, play and pause", async () => {
   await page.context().close();
 });
 
+test("after a lost context an animation goes on, and the view is where it was", async () => {
+  const page = await show({ src: "animated.glb", material: "gold", "time-seconds": "0.5" });
+  const lost = async () => {
+    await page.evaluate(() => (window.said.length = 0));
+    await browser.loseContexts();
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "load"), null, { timeout: 60000 });
+  };
+  await page.evaluate(() => {
+    window.view.currentTime = 1.25;
+    window.view.cameraOrbit = "30deg 60deg 5m";
+    window.view.jumpCameraToGoal();
+  });
+  const before = await picture(page, { ...size, samples: 1 });
+  await lost();
+  assert.deepEqual((await picture(page, { ...size, samples: 1 })).data, before.data);
+  assert.deepEqual(await page.evaluate(() => [window.view.paused, window.view.currentTime]), [true, 1.25]);
+  await page.evaluate(() => window.view.play());
+  await lost();
+  assert.equal(await page.evaluate(() => window.view.paused), false);
+  const at = await page.evaluate(() => window.view.currentTime);
+  await page.waitForFunction((at) => window.view.currentTime !== at, at);
+  await page.context().close();
+});
+
 test("autoplay plays, but not for those who ask for less motion", async () => {
   for (const reducedMotion of ["no-preference", "reduce"]) {
     const page = await show({ src: "animated.glb", autoplay: "" }, { ...size, reducedMotion });
