@@ -2,7 +2,6 @@
 // has the sentence.
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +30,7 @@ using tukor::web::guarded;
 using tukor::web::jsonString;
 using tukor::web::kept;
 
-std::unique_ptr<Viewer> viewer;
+Viewer* viewer = nullptr;  // goes with the instance, and what it has in WebGL with the context
 
 Image pictureOf(int width, int height, const auto& pixelAt) {
     Image picture(width, height);
@@ -50,13 +49,9 @@ EMSCRIPTEN_KEEPALIVE const char* tukor_error() {
 
 EMSCRIPTEN_KEEPALIVE int tukor_start() {
     return guarded([] {
-        viewer = std::make_unique<Viewer>();
+        viewer = new Viewer;
         return 0;
     });
-}
-
-EMSCRIPTEN_KEEPALIVE void tukor_stop() {
-    viewer.reset();
 }
 
 EMSCRIPTEN_KEEPALIVE int tukor_clear_files() {
@@ -185,6 +180,11 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_option(const char* name, const char* text) {
 
 EMSCRIPTEN_KEEPALIVE int tukor_set_light(float rotation, float intensity) {
     viewer->setLight(rotation, intensity);
+    return 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int tukor_set_suns(const float* figures, int size) {
+    viewer->setSuns({figures, static_cast<std::size_t>(size)});
     return 0;
 }
 

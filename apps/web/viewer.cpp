@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include <GLES3/gl3.h>
@@ -59,8 +60,21 @@ Viewer::Viewer() {
 void Viewer::setScene(Scene scene) {
     renderer_.setScene(scene);
     scene_ = std::move(scene);
+    ownLights_ = scene_.lights.size();
     ownMaterials_.clear();
     for (const Part& part : scene_.parts) ownMaterials_.push_back(part.material);
+}
+
+void Viewer::setSuns(std::span<const float> figures) {
+    while (scene_.lights.size() > ownLights_) scene_.lights.pop_back();
+    for (std::size_t i = 0; i < figures.size(); i += 6) {
+        const float* sun = &figures[i];
+        Light light;
+        light.direction = -glm::normalize(glm::vec3(sun[0], sun[1], sun[2]));
+        light.intensity = std::numbers::pi_v<float> * glm::vec3(sun[3], sun[4], sun[5]);
+        scene_.lights.push_back(std::move(light));
+    }
+    renderer_.setLights(scene_.lights);
 }
 
 void Viewer::setMaterials(std::string_view specifications) {

@@ -32,6 +32,9 @@ public:
     void setOption(std::string_view name, std::string_view text);
     /// Rotation in radians about +Y, factor on radiance.
     void setLight(float rotation, float intensity) noexcept;
+    /// Suns beside the model's own, six figures each: where its light comes from, and the colour of
+    /// a white matt surface that faces it. Another scene has none.
+    void setSuns(std::span<const float> figures);
     /// Events along one branch of the light path, at fidelities that trace rays.
     void setMaxDepth(int depth) noexcept { options_.maxDepth = depth; }
     /// From 0, sharp, to 1.
@@ -78,6 +81,7 @@ private:
     gl::DisplayOptions display_;
     float backgroundBlur_ = 0.0f;
     Scene scene_;
+    std::size_t ownLights_ = 0;           // before setSuns()
     std::vector<Material> ownMaterials_;  // the parts' before setMaterials()
     std::vector<std::string> environmentWarnings_;
     Camera camera_;

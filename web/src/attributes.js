@@ -6,6 +6,15 @@ const STANDARD_FOV = (40 * Math.PI) / 180;
 /** With a word for a value, which the library reads, and the word when there is none. */
 export const CHOICES = { background: "quad", fidelity: "exact", fresnel: "exact", "tone-map": "neutral" };
 
+/** The figures of "X,Y,Z/R,G,B; ...", six each. */
+function suns(text) {
+  const list = lists(text).map((sun) => (sun.includes("/") ? sun : sun + "/1,1,1").split(/[,/]/).map(number));
+  return list.every((sun) => sun.length === 6 && !sun.includes(null) && Math.hypot(...sun.slice(0, 3)) > 0 && Math.min(...sun.slice(3)) >= 0) ? list.flat() : null;
+}
+
+/** What semicolons part. */
+export const lists = (text) => text.split(";").map((one) => one.trim()).filter(Boolean);
+
 /** With a figure: how it is read, in the library's unit, and the figure when there is none. */
 export const FIGURES = {
   "environment-rotation": [angle, 0],
@@ -13,11 +22,12 @@ export const FIGURES = {
   "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
   exposure: [number, 0],
   "background-blur": [(text) => (number(text) >= 0 && number(text) <= 1 ? number(text) : null), 0],
+  light: [suns, []],
   "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
 };
 
 /** Of these the command says nothing, or something else. */
-export const PAGE_ONLY = ["background-blur", "time-seconds"];
+export const PAGE_ONLY = ["background-blur", "light", "time-seconds"];
 
 export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 

@@ -17,7 +17,6 @@ export class Engine extends Library {
   }
 
   destroy() {
-    this.wasm.tukor_stop();
     this.gl.getExtension("WEBGL_lose_context")?.loseContext();
   }
 }

@@ -1,4 +1,4 @@
-// Instances of the C++ library's modules: their memory, their calls, and their errors in JavaScript's terms.
+// The C++ library's modules, fetched and instantiated: their memory, their calls, and their errors in JavaScript's terms.
 
 const VIEWS = { bytes: Uint8Array, chars: Int8Array, shorts: Uint16Array, ints: Int32Array, words: Uint32Array, floats: Float32Array };
 
@@ -105,4 +105,32 @@ export class Library {
   json(name, ...args) {
     return JSON.parse(this.text(name, ...args));
   }
+}
+
+/** The compiled module of that name. */
+export async function compiled(name) {
+  const url = new URL(name, import.meta.url);
+  try {
+    return await WebAssembly.compileStreaming(fetch(url));
+  } catch (error) {
+    if (!(error instanceof TypeError)) throw error;
+    const response = await fetch(url); // from servers that send another type than application/wasm
+    if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}`);
+    return WebAssembly.compile(await response.arrayBuffer());
+  }
+}
+
+/** Of each of the library's modules there are two builds. */
+export const buildOf = (name, threads) => `${name}${threads ? "-threads" : ""}.wasm`;
+
+/** A function that gives the one instance of a module, fetched when it is first called; after a failure it is tried anew. */
+export function lazily(name, prefix) {
+  let library = null;
+  return () => {
+    library ??= compiled(buildOf(name, threaded)).then((module) => Library.create(module, prefix)).catch((error) => {
+      library = null;
+      throw error;
+    });
+    return library;
+  };
 }

@@ -1,13 +1,13 @@
 // From an element to the side that computes for it: a worker that draws into the element's canvas, or the page itself where workers cannot.
 
-import { buildOf, compiled } from "./lazily.js";
+import { buildOf, compiled } from "./library.js";
 
 const modules = {};
 
 /** The library, fetched and compiled once a page. */
 function library(threads) {
   const name = buildOf("tukor", threads);
-  modules[name] ??= compiled(name, import.meta.url).catch((error) => {
+  modules[name] ??= compiled(name).catch((error) => {
     delete modules[name];
     throw error;
   });

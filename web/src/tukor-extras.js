@@ -1,7 +1,7 @@
 // The second module, on its own so that only pages which need it fetch it: built-in shapes and skies, other model formats, cube maps.
-import { lazily } from "./lazily.js";
+import { lazily } from "./library.js";
 
-const extras = lazily("tukor-extras", import.meta.url, "extras");
+const extras = lazily("tukor-extras", "extras");
 
 function made({ wasm, memory }) {
   const at = wasm.extras_bytes();

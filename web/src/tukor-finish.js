@@ -1,7 +1,7 @@
 // The third module, on its own so that only pages with rough, diffuse or textured surfaces fetch it.
-import { lazily } from "./lazily.js";
+import { lazily } from "./library.js";
 
-const library = lazily("tukor-finish", import.meta.url, "finish");
+const library = lazily("tukor-finish", "finish");
 
 /** Of an environment's radiance: its filtered chain and the table of the split sum, as textures hold them; and the shaders. */
 export async function prepare(radiance, { width, height, scale }) {

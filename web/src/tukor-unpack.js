@@ -1,6 +1,6 @@
 // Models compressed by Draco or meshopt, made plain glTF; on its own so that only pages with some fetch it, and each decoder by itself.
 import { viewBytes } from "./gltf-buffers.js";
-import { compiled } from "./lazily.js";
+import { compiled } from "./library.js";
 
 const PER_BYTE = 1024; // points or corners that may come out of a byte of Draco's
 const LEAST_MEMORY = 2 ** 26, MOST_MEMORY = 2 ** 30, MEMORY_EACH = 512; // bytes that its decoder may have
@@ -50,7 +50,7 @@ async function unpackMeshopt(json, bytesOf, put) {
 
 /** Draco's decoder, anew for each model: a damaged stream may leave it unusable, and nothing has to be freed. `most()` bounds its memory. */
 async function dracoDecoder(most) {
-  const [{ default: create }, module] = await Promise.all([import("./draco.js"), compiled("draco_decoder_gltf.wasm", import.meta.url)]);
+  const [{ default: create }, module] = await Promise.all([import("./draco.js"), compiled("draco_decoder_gltf.wasm")]);
   return create({
     instantiateWasm(imports, done) {
       WebAssembly.instantiate(module, imports).then((instance) => {

@@ -1,5 +1,5 @@
 // <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed behind link.js.
-import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, PAGE_ONLY, cameraGoal, figureOf, reflect, upgrade } from "./attributes.js";
+import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, PAGE_ONLY, cameraGoal, figureOf, lists, reflect, upgrade } from "./attributes.js";
 import { Clock } from "./clock.js";
 import { renderCommand } from "./command.js";
 import { listen, spokenView } from "./controls.js";
@@ -93,6 +93,7 @@ export class TukorView extends HTMLElement {
     if (!this.#loaded) return "";
     const options = [...Object.keys(CHOICES), "variant", "animation"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     if (this.#clock.seconds >= 0) options.push(["--time-seconds", this.#clock.seconds]);
+    for (const sun of lists(this.getAttribute("light") ?? "")) options.push(["--light", sun]);
     for (const name of Object.keys(FIGURES))
       if (this.hasAttribute(name) && !PAGE_ONLY.includes(name)) options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
     return renderCommand({ ...this.#sources.names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#player.size });
@@ -241,6 +242,7 @@ export class TukorView extends HTMLElement {
       const { duration = 0 } = animations.find(({ name }) => name === animation) ?? animations[animation || 0] ?? {};
       this.#clock.duration = duration;
       this.#guard(() => this.#materials());
+      this.#guard(() => this.#option("light"));
       if (same) return; // another look of the same: the view stays
       this.#clock.paused = true;
       this.#autoplay();
@@ -296,17 +298,21 @@ export class TukorView extends HTMLElement {
 
   // ---- attributes ----
 
+  #set(what, ...values) {
+    return this.#link.ask("set", { what, values });
+  }
+
   #materials() {
-    return this.#link.ask("materials", { text: this.getAttribute("material") ?? "" });
+    return this.#set("materials", this.getAttribute("material") ?? "");
   }
 
   #option(name) {
-    if (name in CHOICES) return this.#link.ask("option", { name, text: (this.getAttribute(name) ?? CHOICES[name]).trim() });
-    if (name === "exposure") return this.#link.ask("exposure", { stops: figureOf(this, name) });
-    if (name === "time-seconds") return (this.#clock.seconds = figureOf(this, name));
-    if (name === "background-blur") return this.#link.ask("blur", { amount: figureOf(this, name) });
-    if (name === "max-depth") return this.#link.ask("depth", { depth: figureOf(this, name) });
-    return this.#link.ask("light", { rotation: figureOf(this, "environment-rotation"), intensity: figureOf(this, "environment-intensity") });
+    if (name in CHOICES) return this.#set("option", name, (this.getAttribute(name) ?? CHOICES[name]).trim());
+    const value = figureOf(this, name);
+    if (name === "time-seconds") return (this.#clock.seconds = value);
+    if (name === "light") return this.#set("suns", Float32Array.from(value), value.length);
+    if (name.startsWith("environment")) return this.#set("light", figureOf(this, "environment-rotation"), figureOf(this, "environment-intensity"));
+    return this.#set(name.replace("-", "_"), value);
   }
 
   #aim(name) {

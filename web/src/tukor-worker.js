@@ -16,7 +16,7 @@ class Host {
   #module = null;
   #skyWarnings = [];
   #model = null; // what an animated one is read from at every moment
-  #materials = "";
+  #set = {}; // what was set last
   #tail = Promise.resolve();
   #losses = 0; // of the context, so far
   #pending = Promise.resolve(); // until the frame before is drawn
@@ -96,7 +96,7 @@ class Host {
     if (!this.#model || this.#model.seconds === seconds) return;
     this.#model.seconds = seconds;
     this.#read();
-    this.#engine.call("set_materials", this.#materials);
+    for (const what of ["materials", "suns"]) if (this.#set[what]) this.#engine.call(`set_${what}`, ...this.#set[what]);
   }
 
   /** A built-in one where there are no bytes. */
@@ -118,16 +118,12 @@ class Host {
   }
 
   warnings() { return [...this.#engine.json("warnings"), ...this.#skyWarnings]; }
-  materials({ text }) {
-    this.#engine.call("set_materials", text);
-    this.#materials = text;
-  }
 
-  option({ name, text }) { this.#engine.call("set_option", name, text); }
-  light({ rotation, intensity }) { this.#engine.call("set_light", rotation, intensity); }
-  depth({ depth }) { this.#engine.call("set_max_depth", depth); }
-  blur({ amount }) { this.#engine.call("set_background_blur", amount); }
-  exposure({ stops }) { this.#engine.call("set_exposure", stops); }
+  /** One of the library's settings. */
+  set({ what, values }) {
+    this.#engine.call(`set_${what}`, ...values);
+    this.#set[what] = values;
+  }
 
   /** Light and shaders of surfaces that are not ideally smooth, where the model has some. */
   async #light() {

@@ -212,6 +212,32 @@ test("autoplay plays, but not for those who ask for less motion", async () => {
   }
 });
 
+test("light from one direction falls on what is not ideally smooth", async () => {
+  const page = await show({ src: "textured.glb", variant: "other", "environment-intensity": "0.001", background: "none" });
+  const bright = async (change) => {
+    await page.evaluate(change);
+    return at(await picture(page, { ...size, samples: 4 }), 24, 30);
+  };
+  assert.ok(Math.max(...(await bright(() => {}))) < 4);
+  const white = await bright(() => (window.view.light = "0,0,1"));
+  assert.ok(white[2] > 100, `${white} is lit`);
+  const dim = await bright(() => (window.view.light = "0,0,2/0.25,0.25,0.25"));
+  assert.ok(dim[2] > 0 && dim[2] < 0.7 * white[2], `${dim} is less than ${white}`);
+  assert.deepEqual(await bright(() => (window.view.light = "0,0,-1; 0,0,1")), white, "nothing from behind");
+  assert.match(await page.evaluate(() => window.view.command), / --light 0,0,-1 --light 0,0,1 /);
+  assert.deepEqual(await page.evaluate(() => window.said.filter(({ type }) => type === "error")), []);
+  for (const wrong of ["up", "0,0,0", "1,2", "0,0,1/1,1", "0,0,1/-1,0,0"]) {
+    await page.evaluate((wrong) => {
+      window.said.length = 0;
+      window.view.light = wrong;
+    }, wrong);
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "error"));
+    assert.equal(await page.evaluate(() => window.said.find(({ type }) => type === "error").message), `light="${wrong}": not understood`);
+  }
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
 test("a blurred background lies behind the model alone", async () => {
   const page = await show({ src: "animated.glb", material: "gold" });
   for (const fidelity of ["single", "exact"]) {

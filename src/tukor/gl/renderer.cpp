@@ -60,13 +60,18 @@ void bindTexture(int unit, const Texture& texture) {
 void Renderer::setScene(const Scene& scene, Preparation preparation) {
     bounds_ = boundsOf(scene);
     materials_.clear();
-    lights_ = scene.lights;
+    setLights(scene.lights);
     for (const Part& part : scene.parts) materials_.push_back(part.material);
     surfaces_ = SurfaceBuffers(scene);
     finishes_.clear();
     tracedScene_ = preparation == Preparation::all ? TracedScene(scene) : TracedScene();
     resetAccumulation();
     throwPendingErrors("uploading the model");
+}
+
+void Renderer::setLights(const std::vector<Light>& lights) {
+    lights_ = lights;
+    resetAccumulation();
 }
 
 void Renderer::setMaterial(int part, const Material& material) {

@@ -70,6 +70,8 @@ public:
     void setScene(const Scene& scene, Preparation preparation = Preparation::all);
     /// The material of one part of the scene; cheap.
     void setMaterial(int part, const Material& material);
+    /// In place of the scene's; cheap.
+    void setLights(const std::vector<Light>& lights);
     void setEnvironment(const Environment& environment, Preparation preparation = Preparation::all);
 
     /// Whether read() also gives what was counted on the way, at fidelities that trace rays.
