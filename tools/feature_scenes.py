@@ -76,7 +76,7 @@ class Scene:
         self.json.setdefault("samplers", [{}])
         return {"index": len(images) - 1, **info}
 
-    def sphere(self, x, material, radius=0.5, y=0.0, rings=48, name=None):
+    def sphere(self, x, material, radius=0.5, y=0.0, rings=48, name=None, morph=None):
         sectors = 2 * rings
         positions, normals, uvs, indices = [], [], [], []
         for i in range(rings + 1):
@@ -93,7 +93,8 @@ class Scene:
                 indices += ([] if i == 0 else [a, b, a + 1]) + ([] if i == rings - 1 else [a + 1, b, b + 1])
         attributes = {"POSITION": self.accessor(positions, "VEC3"), "NORMAL": self.accessor(normals, "VEC3"),
                       "TEXCOORD_0": self.accessor(uvs, "VEC2")}
-        mesh = self.mesh(attributes, self.accessor(indices, "SCALAR", "I"), material)
+        more = {"targets": [{"POSITION": self.accessor([morph(p) for p in positions], "VEC3")}]} if morph else {}
+        mesh = self.mesh(attributes, self.accessor(indices, "SCALAR", "I"), material, **more)
         return self.node(mesh=mesh, translation=[x, y, 0], **({"name": name} if name else {}))
 
     def sheet(self, material, width=1.0, height=1.0, x=0.0, y=0.0, z=0.0, repeat=1.0, more=None, lying=False):
@@ -285,6 +286,59 @@ def behind():
     return s
 
 
+def lamps():
+    """A lamp, a spotlight and light from one direction over white spheres on a floor."""
+    s = Scene()
+    s.sheet(s.material((0.7, 0.7, 0.7, 1), 0, 0.9), 6, 4, y=-0.5, lying=True)
+    for i in range(3):
+        s.sphere(1.6 * (i - 1), s.material((0.8, 0.8, 0.8, 1), 0, 0.4))
+    lights = [{"type": "point", "color": [1, 0.5, 0.2], "intensity": 3},
+              {"type": "spot", "color": [0.4, 0.7, 1], "intensity": 12, "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.3}},
+              {"type": "directional", "intensity": 0.8}]
+    s.json["extensionsUsed"] = ["KHR_lights_punctual"]
+    s.json["extensions"] = {"KHR_lights_punctual": {"lights": lights}}
+    down = [-math.sqrt(0.5), 0, 0, math.sqrt(0.5)]  # from -Z to -Y
+    for i, (place, turn) in enumerate((([-2.4, 0.8, 0.8], None), ([0, 3, 0], down), (None, [-0.3, 0.25, 0.08, 0.92]))):
+        node = {"extensions": {"KHR_lights_punctual": {"light": i}}}
+        if turn:
+            length = math.sqrt(sum(c * c for c in turn))
+            node["rotation"] = [c / length for c in turn]
+        if place:
+            node["translation"] = place
+        s.node(**node)
+    return s
+
+
+def moved():
+    """At 1 s: a box that has turned, a sphere morphed to half its height, a strip bent by its skin."""
+    s = Scene()
+    box = s.box(s.material((0.8, 0.3, 0.1, 1), 0, 0.5), 0.7, -1.3)
+    ball = s.sphere(0, s.material((0.2, 0.5, 0.8, 1), 0, 0.4), morph=lambda p: (0.0, -0.5 * p[1], 0.0))
+    rows = [i / 16 for i in range(17)]
+    corners = [(x, y - 0.5, 0.0) for y in rows for x in (-0.25, 0.25)]
+    bends = [min(max(2 * y - 0.5, 0), 1) for y in rows for _ in range(2)]
+    indices = [2 * i + k for i in range(16) for k in (0, 1, 3, 0, 3, 2)]
+    joints, weights = [(0, 1, 0, 0)] * 34, [(1 - b, b, 0.0, 0.0) for b in bends]
+    mesh = s.mesh({"POSITION": s.accessor(corners, "VEC3"), "NORMAL": s.accessor([(0.0, 0.0, 1.0)] * 34, "VEC3"),
+                   "JOINTS_0": s.accessor(joints, "VEC4", "H"), "WEIGHTS_0": s.accessor(weights, "VEC4")},
+                  s.accessor(indices, "SCALAR", "I"), s.material((0.3, 0.6, 0.2, 1), 0, 0.6, doubleSided=True))
+    strip = s.node(mesh=mesh, skin=0)
+    root, joint = s.node(translation=[1.3, 0, 0]), s.node(translation=[0, 0, 0])
+    s.json["nodes"][root]["children"] = [joint]
+    s.json["scenes"][0]["nodes"].remove(joint)
+    at_rest = tuple(float(i % 5 == 0) for i in range(16))
+    s.json["skins"] = [{"joints": [root, joint], "inverseBindMatrices": s.accessor([at_rest] * 2, "MAT4")}]
+    sixty = [(0.0, 0.0, 0.0, 1.0), (0.0, 0.5, 0.0, math.sqrt(0.75))], [(0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 0.5, math.sqrt(0.75))]
+    times = s.accessor([0.0, 1.0], "SCALAR")
+    s.json["accessors"][times].update(min=[0.0], max=[1.0])
+    moves = [(box, "rotation", s.accessor(sixty[0], "VEC4")), (ball, "weights", s.accessor([0.0, 1.0], "SCALAR")),
+             (joint, "rotation", s.accessor(sixty[1], "VEC4"))]
+    s.json["animations"] = [{
+        "samplers": [{"input": times, "output": output} for _, _, output in moves],
+        "channels": [{"sampler": i, "target": {"node": node, "path": path}} for i, (node, path, _) in enumerate(moves)]}]
+    return s
+
+
 def rough():
     """Rough gold, clay, textured spheres and a white one on a floor, to be measured."""
     base = checker(256, 8, (230, 180, 60, 255), (40, 60, 120, 255))
@@ -300,7 +354,7 @@ def rough():
 
 
 SCENES = {f.__name__: f for f in (metal, plastic, metallic, ior, specular, clearcoat, sheen, anisotropy, iridescence, frosted,
-                                  thin, emission, unlit, blend, textured, mask, colors, group, behind, rough)}
+                                  thin, emission, unlit, blend, textured, mask, colors, group, behind, lamps, moved, rough)}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2:

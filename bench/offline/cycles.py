@@ -35,7 +35,8 @@ def smooth_material(kind):
 def import_gltf(path):
     import numpy
     numpy.bool = bool  # Blender 3.4's importer asks for it; Debian's numpy has it no more
-    bpy.ops.import_scene.gltf(filepath=path)
+    bpy.ops.import_scene.gltf(filepath=path, convert_lighting_mode="COMPAT")
+    scene.frame_set(1000)  # after all animations
     for material in bpy.data.materials:
         for node in material.node_tree.nodes if material.use_nodes else ():
             if node.type == "BSDF_PRINCIPLED":
@@ -65,6 +66,7 @@ mapping.inputs["Rotation"].default_value = (0.0, 0.0, -math.pi / 2)  # Blender's
 links.new(coordinates.outputs["Generated"], mapping.inputs["Vector"])
 links.new(mapping.outputs["Vector"], image.inputs["Vector"])
 links.new(image.outputs["Color"], nodes["Background"].inputs["Color"])
+nodes["Background"].inputs["Strength"].default_value = job.get("intensity", 1.0)
 
 camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
 scene.collection.objects.link(camera)
@@ -89,9 +91,11 @@ cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.tra
 cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
 cycles.blur_glossy = 0.0
 cycles.caustics_reflective = cycles.caustics_refractive = True
-scene.view_settings.view_transform = "Raw"
-scene.render.image_settings.file_format = "OPEN_EXR"
-scene.render.image_settings.color_depth = "32"
+picture = job["out"].endswith(".jpg")
+scene.view_settings.view_transform = "Standard" if picture else "Raw"
+scene.render.image_settings.file_format = "JPEG" if picture else "OPEN_EXR"
+if not picture:
+    scene.render.image_settings.color_depth = "32"
 scene.render.filepath = job["out"]
 
 begin = time.process_time()
