@@ -22,6 +22,17 @@ float worthOf(int bin) {
     return std::exp2((static_cast<float>(bin) + 0.5f) / kBinsPerOctave + kLeastOctave);
 }
 
+/// Of a radiance of at most white.
+float codeOf(float x) {
+    // Roots instead of a power: within 0.3 of a code, and differences matter here, not codes.
+    const float s1 = std::sqrt(x), s2 = std::sqrt(s1), s3 = std::sqrt(s2);
+    const float curve =
+        0.662002687f * s1 + 0.684122060f * s2 - 0.323583601f * s3 - 0.0225411470f * x;
+    return 255.0f * (x <= 0.0031308f ? 12.92f * x : curve);
+}
+
+constexpr float kSlopeAtWhite = 255.0f * 1.055f / 2.4f;
+
 /// Sums over 5 values in a row, for every place of a line; fewer at its ends.
 void boxLine(const float* in, float* out, int count, std::size_t stride) {
     constexpr int kReach = 2;
@@ -35,18 +46,33 @@ void boxLine(const float* in, float* out, int count, std::size_t stride) {
     }
 }
 
+/// Means over 5 x 5 pixels, of what is not negative.
+void smooth(std::vector<float>& values, int w, int h) {
+    std::vector<float> rows(values.size());
+    const auto stride = static_cast<std::size_t>(w);
+    for (int y = 0; y < h; ++y) {
+        const std::size_t first = static_cast<std::size_t>(y) * stride;
+        boxLine(&values[first], &rows[first], w, 1);
+    }
+    for (int x = 0; x < w; ++x) {
+        boxLine(&rows[static_cast<std::size_t>(x)], &values[static_cast<std::size_t>(x)], h,
+                stride);
+    }
+    for (float& value : values) value = std::max(value, 0.0f) / 25.0f;
+}
+
 }  // namespace
 
 glm::vec3 srgbCode(glm::vec3 radiance) noexcept {
     glm::vec3 code;
-    for (int c = 0; c < 3; ++c) {
-        const float x = std::clamp(radiance[c], 0.0f, 1.0f);
-        // Roots instead of a power: within 0.3 of a code, and differences matter here, not codes.
-        const float s1 = std::sqrt(x), s2 = std::sqrt(s1), s3 = std::sqrt(s2);
-        const float curve =
-            0.662002687f * s1 + 0.684122060f * s2 - 0.323583601f * s3 - 0.0225411470f * x;
-        code[c] = 255.0f * (x <= 0.0031308f ? 12.92f * x : curve);
-    }
+    for (int c = 0; c < 3; ++c) code[c] = codeOf(std::clamp(radiance[c], 0.0f, 1.0f));
+    return code;
+}
+
+glm::vec3 unclippedCode(glm::vec3 radiance) noexcept {
+    glm::vec3 code = srgbCode(radiance);
+    for (int c = 0; c < 3; ++c)
+        if (radiance[c] > 1.0f) code[c] += kSlopeAtWhite * std::log(radiance[c]);
     return code;
 }
 
@@ -56,6 +82,7 @@ Accumulation::Accumulation(int w, int h) : width(w), height(h) {
     samples.assign(count, 0);
     halves.assign(count, -1.0f);
     halvesBefore.assign(count, -1.0f);
+    brightHalves.assign(count, -1.0f);
     active.assign(count, 1);
 }
 
@@ -63,32 +90,17 @@ void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t cou
     if (count == 0) return;
     const auto a = static_cast<float>(samples[pixel]), b = static_cast<float>(count);
     if (samples[pixel] > 0) {
-        const glm::vec3 step = srgbCode(mean(pixel)) - srgbCode(sum.radiance / b);
+        const float share = a * b / (3.0f * (a + b) * (a + b));
+        const glm::vec3 before = unclippedCode(mean(pixel)), now = unclippedCode(sum.radiance / b);
+        const glm::vec3 bright = before - now;
+        const glm::vec3 step = min(before, 255.0f) - min(now, 255.0f);
         halvesBefore[pixel] = halves[pixel];
-        halves[pixel] = dot(step, step) / 3.0f * a * b / ((a + b) * (a + b));
+        halves[pixel] = dot(step, step) * share;
+        brightHalves[pixel] = dot(bright, bright) * share;
     }
     sums[pixel].radiance += sum.radiance;
     sums[pixel].coverage += sum.coverage;
     samples[pixel] += count;
-}
-
-void ErrorEstimate::smooth(const Accumulation& picture) {
-    const std::size_t count = picture.samples.size();
-    const int w = picture.width, h = picture.height;
-    std::vector<float> rows(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        variance_[i] = std::max(variance_[i], 0.0f);
-    }
-    const auto stride = static_cast<std::size_t>(w);
-    for (int y = 0; y < h; ++y) {
-        const std::size_t first = static_cast<std::size_t>(y) * stride;
-        boxLine(&variance_[first], &rows[first], w, 1);
-    }
-    for (int x = 0; x < w; ++x) {
-        boxLine(&rows[static_cast<std::size_t>(x)], &variance_[static_cast<std::size_t>(x)], h,
-                stride);
-    }
-    for (std::size_t i = 0; i < count; ++i) variance_[i] = std::max(variance_[i], 0.0f) / 25.0f;
 }
 
 void ErrorEstimate::update(const Accumulation& picture) {
@@ -104,16 +116,21 @@ void ErrorEstimate::update(const Accumulation& picture) {
     if (before > 0.0 && now > 0.0) decay_ = std::clamp(std::log2(before / now), 1.0, 3.0);
     const auto scale = static_cast<float>(1.0 / (std::exp2(decay_) - 1.0));
     const std::size_t count = picture.samples.size();
-    variance_.resize(count, 0.0f);
     raw_.resize(count, 0.0f);
+    rawBright_.resize(count, 0.0f);
     sum_ = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (picture.active[i] && picture.halves[i] >= 0.0f) raw_[i] = picture.halves[i] * scale;
-        variance_[i] = raw_[i];
+        if (picture.active[i] && picture.halves[i] >= 0.0f) {
+            raw_[i] = picture.halves[i] * scale;
+            rawBright_[i] = picture.brightHalves[i] * scale;
+        }
         sum_ += raw_[i];
     }
     known_ = true;
-    smooth(picture);
+    variance_ = raw_;
+    bright_ = rawBright_;
+    smooth(variance_, picture.width, picture.height);
+    smooth(bright_, picture.width, picture.height);
 }
 
 std::optional<double> ErrorEstimate::rmse() const noexcept {
@@ -148,11 +165,15 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
     }
     // Those that need at least half as many again; if there are none, those that need any.
     const int margin = static_cast<int>(0.5 * (decay_ + 1.0) * static_cast<double>(kBinsPerOctave));
+    for (std::size_t i = 0; i < count; ++i) {
+        const float n = static_cast<float>(std::max(picture.samples[i], 1u));
+        bins[i] = std::max(bins[i], static_cast<std::uint16_t>(binOf(bright_[i] / n)));
+    }
     for (const int least : {threshold + margin, threshold, 0}) {
         std::size_t chosen = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const bool more =
-                bins[i] >= least && variance_[i] > 0.0f && picture.samples[i] < maxSamples;
+                bins[i] >= least && bright_[i] > 0.0f && picture.samples[i] < maxSamples;
             picture.active[i] = more;
             chosen += more;
         }

@@ -32,11 +32,15 @@ struct Accumulation {
     std::vector<float> halves;         // squared difference of the last two means, weighted so that
                                        // it is the variance of the mean for p = 1; -1: not known
     std::vector<float> halvesBefore;   // the same one doubling before
+    std::vector<float> brightHalves;   // as halves, of codes that go on beyond white
     std::vector<std::uint8_t> active;  // whether the last pass was for this pixel
 };
 
 /// 0 to 255 as displays encode it, not rounded; clipped.
 [[nodiscard]] glm::vec3 srgbCode(glm::vec3 radiance) noexcept;
+
+/// The same up to white, and beyond it its logarithm, as steep as the code is at white.
+[[nodiscard]] glm::vec3 unclippedCode(glm::vec3 radiance) noexcept;
 
 /// The state of a picture's error, in squared 8-bit sRGB codes.
 class ErrorEstimate {
@@ -47,15 +51,15 @@ public:
     /// Expected RMSE of the whole picture.
     [[nodiscard]] std::optional<double> rmse() const noexcept;
 
-    /// Marks the pixels to double so that the RMSE falls to `target` with the fewest samples;
-    /// false when there is none that may have more.
+    /// Marks the pixels to double so that the RMSE falls to `target` with the fewest samples, and
+    /// those brighter than white that are as far off in unclippedCode; false when there is none
+    /// that may have more.
     bool chooseActive(Accumulation& picture, double target, std::uint32_t maxSamples) const;
 
 private:
-    void smooth(const Accumulation& picture);
-
-    std::vector<float> raw_;       // variance of every pixel's mean, from its own samples
-    std::vector<float> variance_;  // the same, averaged over its neighbourhood
+    std::vector<float> raw_;                 // variance of every pixel's mean, from its own samples
+    std::vector<float> variance_;            // the same, averaged over its neighbourhood
+    std::vector<float> rawBright_, bright_;  // the same of unclippedCode
     double sum_ = 0.0;
     double decay_ = 1.5;  // p
     bool known_ = false;
