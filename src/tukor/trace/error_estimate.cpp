@@ -142,11 +142,9 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
                                  std::uint32_t maxSamples) const {
     const std::size_t count = picture.samples.size();
     std::array<double, kBins> variance{};
-    std::vector<std::uint16_t> bins(count);
     for (std::size_t i = 0; i < count; ++i) {
         const float n = static_cast<float>(std::max(picture.samples[i], 1u));
         const int bin = binOf(variance_[i] / n);
-        bins[i] = static_cast<std::uint16_t>(bin);
         variance[static_cast<std::size_t>(bin)] += variance_[i];
     }
     // The cheapest way to a sum of variances: all pixels are worth the same per sample in the end.
@@ -164,22 +162,38 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
         if (left <= goal) break;
     }
     // Those that need at least half as many again; if there are none, those that need any.
-    const int margin = static_cast<int>(0.5 * (decay_ + 1.0) * static_cast<double>(kBinsPerOctave));
-    for (std::size_t i = 0; i < count; ++i) {
-        const float n = static_cast<float>(std::max(picture.samples[i], 1u));
-        bins[i] = std::max(bins[i], static_cast<std::uint16_t>(binOf(bright_[i] / n)));
-    }
-    for (const int least : {threshold + margin, threshold, 0}) {
-        std::size_t chosen = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const bool more =
-                bins[i] >= least && bright_[i] > 0.0f && picture.samples[i] < maxSamples;
-            picture.active[i] = more;
-            chosen += more;
-        }
-        if (chosen > 0) return true;
-    }
+    for (const int least : {threshold + margin(), threshold, 0})
+        if (activate(picture, bright_, least, maxSamples)) return true;
     return false;
+}
+
+bool ErrorEstimate::chooseBright(Accumulation& picture, double target,
+                                 std::uint32_t maxSamples) const {
+    std::vector<float> beyond = bright_;
+    double samples = 0.0;
+    for (std::size_t i = 0; i < beyond.size(); ++i) {
+        beyond[i] -= variance_[i];
+        samples += picture.samples[i];
+    }
+    const double typical = target * target * static_cast<double>(beyond.size()) / samples;
+    return activate(picture, beyond, binOf(static_cast<float>(typical)) + margin(), maxSamples);
+}
+
+int ErrorEstimate::margin() const noexcept {
+    return static_cast<int>(0.5 * (decay_ + 1.0) * static_cast<double>(kBinsPerOctave));
+}
+
+bool ErrorEstimate::activate(Accumulation& picture, const std::vector<float>& variance, int least,
+                             std::uint32_t maxSamples) {
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < variance.size(); ++i) {
+        const float n = static_cast<float>(std::max(picture.samples[i], 1u));
+        const bool more = variance[i] > 0.0f && picture.samples[i] < maxSamples &&
+                          binOf(variance[i] / n) >= least;
+        picture.active[i] = more;
+        chosen += more;
+    }
+    return chosen > 0;
 }
 
 }  // namespace tukor::trace

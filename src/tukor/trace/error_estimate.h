@@ -56,7 +56,17 @@ public:
     /// that may have more.
     bool chooseActive(Accumulation& picture, double target, std::uint32_t maxSamples) const;
 
+    /// When the target is reached: marks those brighter than white that lag behind the others.
+    bool chooseBright(Accumulation& picture, double target, std::uint32_t maxSamples) const;
+
 private:
+    /// In bins of worth: what half as many samples again take off.
+    [[nodiscard]] int margin() const noexcept;
+    /// Marks the pixels of which one more sample takes that bin's variance away, or more; false if
+    /// there are none.
+    static bool activate(Accumulation& picture, const std::vector<float>& variance, int least,
+                         std::uint32_t maxSamples);
+
     std::vector<float> raw_;                 // variance of every pixel's mean, from its own samples
     std::vector<float> variance_;            // the same, averaged over its neighbourhood
     std::vector<float> rawBright_, bright_;  // the same of unclippedCode

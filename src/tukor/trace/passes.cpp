@@ -164,11 +164,12 @@ void Passes::run() {
             if (each >= goals_.samples) break;
             each = samplesAfter(each);
         } else {
-            if (goals_.error && error && *error <= *goals_.error) break;
             // Against the clock: a little better each time.
-            const double target =
-                std::max(goals_.error.value_or(0.0), goals_.error ? 0.0 : *error / 1.5);
-            if (!estimate_.chooseActive(picture_, target, goals_.samples)) break;
+            const double target = goals_.error ? *goals_.error : *error / 1.5;
+            const bool more = goals_.error && error && *error <= target
+                                  ? estimate_.chooseBright(picture_, target, goals_.samples)
+                                  : estimate_.chooseActive(picture_, target, goals_.samples);
+            if (!more) break;
         }
         if (goals_.error) {
             // Work grows about as error^-1.5.

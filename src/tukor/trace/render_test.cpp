@@ -117,6 +117,29 @@ TEST(TraceRender, RaysThatTouchAnEdgeKeepTrackOfTheirMedia) {
     EXPECT_EQ(faults, 0u);
 }
 
+TEST(TraceRender, ErrorCountsBeyondWhite) {
+    // Mirror images of suns: what varies among the samples of their pixels is white to a display.
+    CubeMap sun(32);
+    for (const CubeFace face : kCubeFaces) std::ranges::fill(sun.texels(face), glm::vec3(0.5f));
+    for (int row = 1; row < 32; row += 3)
+        for (int column = 1; column < 32; column += 3)
+            sun.texels(CubeFace::posZ)[static_cast<std::size_t>(row * 32 + column)] *= 1e4f;
+    const Scene scene = sceneOfShape("sphere", metal());
+    const auto picture = [&](int samples, std::optional<float> error) {
+        RenderOptions options = small(samples);
+        options.error = error;
+        return render(scene, sun, eyeAt({0, 0, 4}), options).radiance;
+    };
+    const Image limit = picture(1024, std::nullopt), found = picture(1024, 1.0f);
+    double off = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < limit.pixels().size(); ++i) {
+        const float a = found.pixels()[i].x, b = limit.pixels()[i].x;
+        off += (a - b) * (a - b);
+        all += b * b;
+    }
+    EXPECT_LT(std::sqrt(off / all), 0.05);  // 0.2 by what displays show alone
+}
+
 TEST(TraceRender, OpenModelsAreCounted) {
     Scene scene = sceneOfShape("sphere", clear(1.5f, 1));
     scene.parts[0].mesh.triangles.resize(scene.parts[0].mesh.triangles.size() / 2);
