@@ -9,6 +9,7 @@
 
 #include <OpenEXR/ImfEnvmap.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tukor/base/error.h"
 #include "tukor/environment/environment_work.h"
@@ -121,8 +122,7 @@ glm::vec3 seenAt(Orientation program, CubePoint point) {
 class Oriented : public testing::TestWithParam<Orientation> {
 protected:
     Oriented()
-        : folder_(fs::temp_directory_path() /
-                  ("tukor_oriented_" + std::to_string(static_cast<int>(GetParam())))) {
+        : folder_(fs::temp_directory_path() / ("tukor_oriented_" + std::to_string(getpid()))) {
         fs::create_directories(folder_);
     }
     ~Oriented() override { fs::remove_all(folder_); }

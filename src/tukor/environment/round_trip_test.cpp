@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/texture_chain.h"
@@ -90,7 +91,7 @@ CubeMap landscape(int faceSize) {
 class RoundTrip : public testing::TestWithParam<Format> {
 protected:
     RoundTrip()
-        : folder_(fs::temp_directory_path() / fmt::format("tukor_round_trip_{}", GetParam().name)) {
+        : folder_(fs::temp_directory_path() / fmt::format("tukor_round_trip_{}", getpid())) {
         fs::create_directories(folder_);
     }
     ~RoundTrip() override { fs::remove_all(folder_); }
@@ -144,7 +145,8 @@ INSTANTIATE_TEST_SUITE_P(EveryFormat, RoundTrip, testing::ValuesIn(formats()),
                          [](const auto& format) { return std::string(format.param.name); });
 
 TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
-    const fs::path folder = fs::temp_directory_path() / "tukor_round_trip_fine_faces";
+    const fs::path folder =
+        fs::temp_directory_path() / fmt::format("tukor_fine_faces_{}", getpid());
     fs::create_directories(folder);
     const std::string faces = (folder / "a_{}.exr").string();
     const std::string panorama = (folder / "a.exr").string();
