@@ -19,7 +19,7 @@ def measure(scene, map_name, args):
     references = scenes.reference(scene, map_name, args.reference)
     peers = [("Cycles", scenes.cached(scenes.cycles, scene, map_name, q, args.peers_again)) for q in ((256, 1), (256, 2), (64, 1))]
     if args.povray:
-        peers += [("POV-Ray", scenes.cached(scenes.povray, scene, map_name, (q,), args.peers_again)) for q in (2, 4)]
+        peers += [("POV-Ray", scenes.cached(scenes.povray, scene, map_name, (q,), args.peers_again)) for q in (2, 4, 8)]
     ours = [("tukor", scenes.tukor(scene, map_name, ["--error", e])) for e in args.errors.split(",")]
     ours += [("tukor --samples", scenes.tukor(scene, map_name, ["--samples", n])) for n in args.samples.split(",")]
     noise, *errors, common = scenes.errors(references, [picture for _, (_, picture) in peers + ours])

@@ -155,7 +155,7 @@ def povray(scene, map_name, across):
     wide = 2 * math.degrees(math.atan(math.tan(math.radians(FOV) / 2) * SIZE[0] / SIZE[1]))
     text = ["#version 3.7; global_settings { assumed_gamma 1 max_trace_level 32 adc_bailout 1/512 }",
             f"camera {{ location <0,0,{EYE_Z}> right -x*{SIZE[0]}/{SIZE[1]} angle {wide} look_at 0 }}",
-            f'sky_sphere {{ pigment {{ image_map {{ exr "{environment(map_name)}" gamma 1 map_type 1 interpolate 2 }} rotate y*180 }} }}']
+            f'sky_sphere {{ pigment {{ image_map {{ exr "{environment(map_name)}" gamma 1 map_type 1 interpolate 2 }} rotate y*270 }} }}']
     for name in SCENES[scene]:
         kind = MODELS[name][2]
         text.append(f'#include "{pov_mesh(name)}"\ntexture {{ {surface[kind]} }} interior {{ ior {IOR} }} }}')
