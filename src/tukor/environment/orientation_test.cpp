@@ -9,7 +9,6 @@
 
 #include <OpenEXR/ImfEnvmap.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tukor/base/error.h"
 #include "tukor/environment/environment_work.h"
@@ -122,7 +121,8 @@ glm::vec3 seenAt(Orientation program, CubePoint point) {
 class Oriented : public testing::TestWithParam<Orientation> {
 protected:
     Oriented()
-        : folder_(fs::temp_directory_path() / ("tukor_oriented_" + std::to_string(getpid()))) {
+        : folder_(fs::temp_directory_path() /
+                  ("tukor_oriented_" + std::to_string(std::random_device{}()))) {
         fs::create_directories(folder_);
     }
     ~Oriented() override { fs::remove_all(folder_); }

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/texture_chain.h"
@@ -91,7 +90,8 @@ CubeMap landscape(int faceSize) {
 class RoundTrip : public testing::TestWithParam<Format> {
 protected:
     RoundTrip()
-        : folder_(fs::temp_directory_path() / fmt::format("tukor_round_trip_{}", getpid())) {
+        : folder_(fs::temp_directory_path() /
+                  fmt::format("tukor_round_trip_{}", std::random_device{}())) {
         fs::create_directories(folder_);
     }
     ~RoundTrip() override { fs::remove_all(folder_); }
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(EveryFormat, RoundTrip, testing::ValuesIn(formats()),
 
 TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
     const fs::path folder =
-        fs::temp_directory_path() / fmt::format("tukor_fine_faces_{}", getpid());
+        fs::temp_directory_path() / fmt::format("tukor_fine_faces_{}", std::random_device{}());
     fs::create_directories(folder);
     const std::string faces = (folder / "a_{}.exr").string();
     const std::string panorama = (folder / "a.exr").string();
