@@ -1,7 +1,11 @@
-"""Curves of error over CPU time, for offline.py: reading them, and drawing them as SVG."""
+"""Curves of error over CPU time, for offline.py and rough.py: reading them, and drawing them as SVG."""
 import math
 
 COLOURS = {"tukor": "#c80", "tukor --samples": "#ca6", "Cycles": "#06c", "POV-Ray": "#292"}
+
+
+def figure(value, digits=3):
+    return "-" if value is None else f"{value:.{digits}g}"
 
 
 def cpu_at(points, error, column):

@@ -9,13 +9,9 @@ needs: tools/install_packages.sh bench
 import argparse
 
 import scenes
-from curves import cpu_at
+from curves import cpu_at, figure
 
 CYCLES, SAMPLES, ERRORS = (16, 64), ("4", "16", "64"), ("12", "6", "3")
-
-
-def figure(value, digits=3):
-    return "-" if value is None else f"{value:.{digits}g}"
 
 
 def measure(scene, map_name, args):

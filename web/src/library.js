@@ -61,11 +61,11 @@ export class Library {
   static async create(module, prefix, more = () => ({})) {
     const library = new this();
     const { memory } = library;
-    if (threaded) library.crew = new (await import("./tukor-threads.js")).Crew(module, library);
-    const instance = await WebAssembly.instantiate(module, importsOf(memory, { ...library.crew?.imports, ...more(memory) }));
+    const crew = (library.crew = threaded ? new (await import("./tukor-threads.js")).Crew(module, library) : null);
+    const instance = await WebAssembly.instantiate(module, importsOf(memory, { ...crew?.imports, ...more(memory) }));
     const wasm = (library.wasm = instance.exports);
     library.prefix = prefix;
-    memory.of = library.crew?.memory ?? wasm.memory;
+    memory.of = crew?.memory ?? wasm.memory;
     (wasm._initialize ?? wasm.__wasm_call_ctors)();
     return library;
   }

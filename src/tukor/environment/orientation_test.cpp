@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <random>
 
 #include <OpenEXR/ImfEnvmap.h>
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // precision.
 #include <cmath>
 #include <filesystem>
+#include <random>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
