@@ -339,6 +339,33 @@ def moved():
     return s
 
 
+def instances():
+    """One mesh five times: places, turns and sizes are EXT_mesh_gpu_instancing's."""
+    s = Scene()
+    s.box(s.material((1.0, 0.77, 0.34, 1), 1, 0.3), 0.6)
+    turns = [(0.0, math.sin(0.2 * i), 0.0, math.cos(0.2 * i)) for i in range(5)]
+    s.json["nodes"][0]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": {
+        "TRANSLATION": s.accessor([(1.1 * (i - 2), 0.0, 0.0) for i in range(5)], "VEC3"),
+        "ROTATION": s.accessor(turns, "VEC4"),
+        "SCALE": s.accessor([(0.6 + 0.2 * i,) * 3 for i in range(5)], "VEC3")}}}
+    s.json["extensionsUsed"] += ["EXT_mesh_gpu_instancing"]
+    return s
+
+
+def variants():
+    """Clay by itself; every second sphere gilt as the variant `festive`."""
+    s = Scene()
+    clay, gilt = s.material((0.45, 0.2, 0.12, 1), 0, 0.8), s.material((1.0, 0.77, 0.34, 1), 1, 0.2)
+    for i in range(5):
+        s.sphere(1.1 * (i - 2), clay)
+        if i % 2 == 0:
+            mappings = [{"material": gilt, "variants": [0]}]
+            s.json["meshes"][i]["primitives"][0]["extensions"] = {"KHR_materials_variants": {"mappings": mappings}}
+    s.json["extensions"] = {"KHR_materials_variants": {"variants": [{"name": "festive"}]}}
+    s.json["extensionsUsed"] += ["KHR_materials_variants"]
+    return s
+
+
 def rough():
     """Rough gold, clay, textured spheres and a white one on a floor, to be measured."""
     base = checker(256, 8, (230, 180, 60, 255), (40, 60, 120, 255))
@@ -354,7 +381,8 @@ def rough():
 
 
 SCENES = {f.__name__: f for f in (metal, plastic, metallic, ior, specular, clearcoat, sheen, anisotropy, iridescence, frosted,
-                                  thin, emission, unlit, blend, textured, mask, colors, group, behind, lamps, moved, rough)}
+                                  thin, emission, unlit, blend, textured, mask, colors, group, behind, lamps, moved, instances,
+                                  variants, rough)}
 
 if __name__ == "__main__":
     if len(sys.argv) < 2:
