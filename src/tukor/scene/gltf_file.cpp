@@ -132,13 +132,13 @@ private:
                 notes_.add("scaled to nothing, left out", placed.name);
                 continue;
             }
-            const Look& look =
-                lookOf(primitive, triangles.colors.empty() ? Tint::none : Tint::colors);
+            const Look& look = lookOf(
+                primitive, triangles.colors.empty() ? Tint::none : Tint::colors, placed.name);
             scene_.parts.push_back({placed.name, look.name, look.material, std::move(triangles)});
         }
     }
 
-    const Look& lookOf(const JsonItem& primitive, Tint tint) {
+    const Look& lookOf(const JsonItem& primitive, Tint tint, const std::string& part) {
         const std::optional<JsonItem> index = materialOfVariant(primitive, variant_);
         const std::pair key(index ? index->count() : kNone, tint);
         auto known = looks_.find(key);
@@ -152,11 +152,24 @@ private:
                 if (tint == Tint::colors && !look.material.finish)
                     look.material.finish = std::make_shared<Finish>(surface);
             } else {
-                look = {"", parseMaterial(options_.material)};
+                look = withoutMaterial(tint, part);
             }
             known = looks_.emplace(key, std::move(look)).first;
         }
         return known->second;
+    }
+
+    /// Of primitives that name none, which glTF has white, metallic and rough: that is needed to
+    /// show their colours; bare meshes are better shown as those of other formats are.
+    Look withoutMaterial(Tint tint, const std::string& part) {
+        if (tint == Tint::colors) {
+            Surface white;
+            white.solid = false;
+            return {"", materialOf(white)};
+        }
+        if (document_.root().list("materials").size() > 0)
+            notes_.add("without a material, shown as " + options_.material, part);
+        return {"", parseMaterial(options_.material)};
     }
 
     void addCamera(const GltfPlaced& placed) {

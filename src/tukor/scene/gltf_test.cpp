@@ -277,6 +277,20 @@ TEST(GltfMaterial, DefaultsToTheOptionsMaterialWhereTheFileNamesNone) {
     const Scene scene = loadGltf("a.gltf", std::as_bytes(std::span(text)), {.material = "water"});
     EXPECT_EQ(scene.parts[0].material, parseMaterial("water"));
     EXPECT_EQ(load(text).parts[0].material, parseMaterial("gold"));
+    EXPECT_TRUE(scene.warnings.empty());
+    const Scene mixed = load(tetrahedron(
+        R"("materials": [{}], "meshes": [{"primitives": [
+        {"attributes": {"POSITION": 0}, "indices": 1, "material": 0},
+        {"attributes": {"POSITION": 0}, "indices": 1}]}], "nodes": [{"name": "n", "mesh": 0}])"));
+    EXPECT_THAT(mixed.warnings, ElementsAre("without a material, shown as gold: n"));
+}
+
+TEST(GltfMaterial, ShowsVertexColoursWhereTheFileNamesNone) {
+    const Scene scene = load(tetrahedron(R"("meshes": [{"primitives": [
+        {"attributes": {"POSITION": 0, "COLOR_0": 0}, "indices": 1}]}], "nodes": [{"mesh": 0}])"));
+    ASSERT_TRUE(scene.parts[0].material.finish);
+    EXPECT_EQ(scene.parts[0].material.finish->baseColor, glm::vec3(1.0f));
+    EXPECT_TRUE(scene.warnings.empty());
 }
 
 TEST(Gltf, SaysWhatItDoesNotRender) {
