@@ -158,7 +158,7 @@ def test_three(folder):
     write("a.hdr")
     write("face_{}.exr", "--size", "64")
     write("half.ktx2", "--size", "64")
-    write("float.ktx2", "--size", "64", "--texels", "float")
+    write("float.ktx2", "--size", "64", "--format", "float")
     write("zstd.ktx2", "--size", "64", "--compression", "zstd")
     print(run("node", f"{HERE}/three_loaders.mjs", f"{folder}/package", folder),
           end="")

@@ -255,7 +255,7 @@ def test_environment_workshop(folder):
     """Every layout and file type leads back to the same light."""
     run("environment", "convert", "sky", "-o", "sky.exr", "--size", "256", folder=folder)
     for out, more in [("face_{}.exr", []), ("cross.hdr", ["--layout", "vcross"]), ("cube.ktx2", ["--compression", "zstd"]),
-                      ("cube.dds", ["--texels", "float"]), ("oct.exr", ["--layout", "octahedral"])]:
+                      ("cube.dds", ["--format", "float"]), ("oct.exr", ["--layout", "octahedral"])]:
         run("environment", "convert", "sky.exr", "-o", out, "--size", "64", *more, folder=folder)
         back = ["--in-layout", "octahedral"] if out == "oct.exr" else []
         info = run("environment", "info", out, *back, folder=folder)[0]
@@ -288,6 +288,10 @@ def test_environment_workshop(folder):
     out = run("environment", "--help", folder=folder)[0]
     assert "tukor environment filter street.hdr" in out and "tukor render" not in out, out
     fails("environment", "convert", "sky.exr", "-o", "a.exr", "--size", "33", says="an even number", folder=folder)
+    run("environment", "convert", "sky.exr", "-o", "half.exr", "--format", "half", folder=folder)
+    assert os.path.getsize(os.path.join(folder, "half.exr")) < 0.7 * os.path.getsize(os.path.join(folder, "sky.exr"))
+    fails("environment", "convert", "sky.exr", "-o", "a.exr", "--format", "rgb9e5", says="float or half", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a.png", "--format", "half", says="--png-depth", folder=folder)
     fails("environment", "filter", "sky.exr", "-o", "a.exr", "--size", "4", "--levels", "9", says="at most 3", folder=folder)
     fails("environment", "filter", "-o", "a.exr", says="IN is missing", folder=folder)
     fails("environment", "filter", "sky.exr", "-o", "a.png", "--kind", "sh", says=".json or .h", folder=folder)

@@ -85,11 +85,26 @@ PictureForm formOf(const TargetArguments& to, PictureForm otherwise) {
 }
 
 WorkTarget workTarget(const TargetArguments& to, PictureForm form, const DevelopOptions& develop) {
-    return {.form = form,
-            .size = to.size,
-            .to = to.to,
-            .picture = saveOptions(develop),
-            .texture = {to.texels, to.compression}};
+    WorkTarget target{.form = form,
+                      .size = to.size,
+                      .to = to.to,
+                      .picture = saveOptions(develop),
+                      .texture = {TexelFormat::rgba16f, to.compression}};
+    if (!to.format) return target;
+    const TexelFormat format = *to.format;
+    if (hasTextureExtension(to.out))
+        target.texture.texels = format;
+    else if (lowerExtension(to.out) != ".exr")
+        throw Error(fmt::format(
+            "{}: --format is of .exr, .dds, .ktx and .ktx2; others have one, or options of their "
+            "own: --png-depth, --jpeg-quality",
+            to.out));
+    else if (format == TexelFormat::rgba32f || format == TexelFormat::rgba16f)
+        target.picture.exrPixels =
+            format == TexelFormat::rgba16f ? ExrPixels::half : ExrPixels::full;
+    else
+        throw Error(fmt::format("{}: --format of .exr is float or half", to.out));
+    return target;
 }
 
 int saveHarmonics(const SourceArguments& from, const std::string& out,

@@ -30,7 +30,7 @@ struct TargetArguments {
     std::optional<PictureForm> layout;
     std::optional<int> size;
     Orientation to = Orientation::opengl;
-    TexelFormat texels = TexelFormat::rgba16f;
+    std::optional<TexelFormat> format;  // none: the file type's own
     Supercompression compression = Supercompression::none;
 };
 

@@ -63,8 +63,8 @@ void describe(Options& o, Visitor&& field) {
           "or 256 for a filtered face");
     field("to", o.to, Spellings<Orientation>(kOrientationSpellings),
           "the program that OUT is oriented for");
-    field("texels", o.texels, Spellings<TexelFormat>(kTexelFormatSpellings),
-          "of .dds, .ktx and .ktx2");
+    field("format", o.format, Spellings<TexelFormat>(kTexelFormatSpellings),
+          "of pixels: half, or any of these, in .dds, .ktx and .ktx2; float, or half, in .exr");
     field("compression", o.compression, Spellings<Supercompression>(kCompressionSpellings),
           "of .ktx2");
 }

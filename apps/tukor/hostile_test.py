@@ -92,8 +92,8 @@ def png(width, height):
 def environments(folder):
     """A good file of each type, by extension."""
     files = {}
-    for extension, more in ((".exr", []), (".hdr", []), (".png", []), (".jpg", []), (".dds", ["--texels", "float"]),
-                            (".ktx", ["--texels", "float"]), (".ktx2", ["--texels", "float"])):
+    for extension, more in ((".exr", []), (".hdr", []), (".png", []), (".jpg", []), (".dds", ["--format", "float"]),
+                            (".ktx", ["--format", "float"]), (".ktx2", ["--format", "float"])):
         size = "32" if extension in (".exr", ".hdr", ".png", ".jpg") else "16"
         name = "good" + extension
         subprocess.run([PROGRAM, "environment", "convert", "sky", "-o", name, "--size", size, *more], cwd=folder,
