@@ -61,6 +61,9 @@ struct RenderOptions {
     // alone is given; gl: from 64 samples on.
     bool splitGrazing = true;
     std::vector<AovLayer> layers;  // trace only
+    // Whether a camera sample whose path lost track of its media, by rounding, is taken again a
+    // little aside, where that is rare: where it is not, the model is at fault (trace only).
+    bool retakeFaulty = true;
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

@@ -41,7 +41,8 @@ struct Frame {
     int width;
     int height;
     std::uint32_t seed;
-    bool splitGrazing = false;           // see RenderOptions
+    bool splitGrazing = false;  // see RenderOptions
+    bool retakeFaulty = true;
     const RoughEvent* rough = nullptr;   // null: all surfaces are ideally smooth
     const Spectrum* spectrum = nullptr;  // null: nothing disperses light
 };

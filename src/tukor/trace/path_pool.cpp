@@ -24,6 +24,12 @@ constexpr std::size_t kPaths = 64;
 
 constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
 
+// Of so many samples one may be faulty, and one more, for it to come of rounding.
+constexpr std::size_t kSamplesPerFault = 256;
+
+// By how much of the distance of neighbours faulty samples are moved.
+constexpr float kAside = 1.0f / 256.0f;
+
 }  // namespace
 
 PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {
@@ -199,6 +205,7 @@ void PathPool::finish(const Path& path) noexcept {
     counts_.rays += static_cast<std::uint64_t>(path.tree.rays - 1);  // its first was counted before
     counts_.leaks += static_cast<std::uint64_t>(path.tree.leaks);
     counts_.inconsistencies += static_cast<std::uint64_t>(path.tree.inconsistencies);
+    if (retakes_ && path.tree.leaks + path.tree.inconsistencies > 0) faulty_.push_back(path.sample);
     counts_.truncated += static_cast<std::uint64_t>(path.tree.truncated);
 }
 
@@ -225,13 +232,40 @@ void PathPool::trace(std::span<const CameraSample> samples, float footprintScale
     samples_ = samples;
     sums_ = sums;
     splits_ = frame_.splitGrazing;
-    traceAll(footprintScale);
+    traceConsistently(footprintScale);
     if (grazing_.empty()) return;
     const std::vector<CameraSample> finer = splitGrazing(footprintScale);
     grazing_.clear();
     splits_ = false;
     samples_ = finer;
-    traceAll(footprintScale * transport::kFinerWidth);
+    traceConsistently(footprintScale * transport::kFinerWidth);
+}
+
+void PathPool::traceConsistently(float footprintScale) {
+    faulty_.clear();
+    retakes_ = frame_.retakeFaulty;
+    traceAll(footprintScale);
+    retakes_ = false;
+    if (faulty_.empty() || faulty_.size() > 1 + samples_.size() / kSamplesPerFault) return;
+    std::vector<CameraSample> again;
+    for (const std::uint32_t number : faulty_) again.push_back(samples_[number]);
+    const bool splits = std::exchange(splits_, false);
+    const std::span<const CameraSample> samples = std::exchange(samples_, again);
+    // The same once more, to be taken from the sums, and from what was counted but for rays.
+    for (CameraSample& one : again) one.weight = -one.weight;
+    const TraceCounts before = counts_;
+    traceAll(footprintScale);
+    counts_.leaks = 2 * before.leaks - counts_.leaks;
+    counts_.inconsistencies = 2 * before.inconsistencies - counts_.inconsistencies;
+    counts_.truncated = 2 * before.truncated - counts_.truncated;
+    for (CameraSample& one : again) {
+        one.weight = -one.weight;
+        one.x += kAside * footprintScale;
+        one.y += kAside * footprintScale;
+    }
+    traceAll(footprintScale);
+    samples_ = samples;
+    splits_ = splits;
 }
 
 void PathPool::traceAll(float footprintScale) {

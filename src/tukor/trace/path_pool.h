@@ -73,6 +73,8 @@ private:
     };
 
     void traceAll(float footprintScale);
+    /// Traces all, and what was faulty again, elsewhere.
+    void traceConsistently(float footprintScale);
     void castCameraRays(float footprintScale);
     [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
                                                  float footprintScale) const noexcept;
@@ -103,6 +105,8 @@ private:
     std::vector<FirstHit> firstHits_;
     std::vector<std::uint32_t> grazing_;
     bool splits_ = false;  // samples that graze
+    std::vector<std::uint32_t> faulty_;
+    bool retakes_ = false;  // samples whose path was faulty
     TraceCounts counts_;
 };
 

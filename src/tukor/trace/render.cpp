@@ -85,6 +85,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
         samples += picture.samples[i];
         if (!frame.background && picture.samples[i] > 0) {
             rendering.radiance.alpha[i] =
+        .retakeFaulty = options.retakeFaulty,
                 picture.sums[i].coverage / static_cast<float>(picture.samples[i]);
         }
     }

@@ -124,6 +124,7 @@ TEST(TraceRender, ErrorCountsBeyondWhite) {
     for (int row = 1; row < 32; row += 3)
         for (int column = 1; column < 32; column += 3)
             sun.texels(CubeFace::posZ)[static_cast<std::size_t>(row * 32 + column)] *= 1e4f;
+    options.retakeFaulty = false;
     const Scene scene = sceneOfShape("sphere", metal());
     const auto picture = [&](int samples, std::optional<float> error) {
         RenderOptions options = small(samples);
@@ -167,6 +168,42 @@ TEST(TraceRender, RotationIsCounterClockwiseSeenFromAbove) {
     for (glm::vec3& texel : cube.texels(CubeFace::negZ)) texel = glm::vec3(0.0f, 1.0f, 0.0f);
     RenderOptions options = small(4);
     const Camera ahead = eyeAt({0, 0, 4});
+TEST(TraceRender, FaultySamplesAreTakenAgainALittleAside) {
+    // A cube with a crack in its front, far finer than a pixel, where the only sample is.
+    Scene scene = sceneOfShape("cube", clear(1.5f, 1));
+    Mesh& mesh = scene.parts[0].mesh;
+    const float half = boundsOf(mesh).most.x, crack = 2e-5f * half;
+    const auto at = [&](float x, float y) {
+        mesh.positions.push_back({x, y, half});
+        mesh.normals.push_back({0, 0, 1});
+        return static_cast<unsigned>(mesh.positions.size()) - 1;
+    };
+    std::erase_if(mesh.triangles, [&](glm::uvec3 t) {
+        return mesh.positions[t.x].z + mesh.positions[t.y].z + mesh.positions[t.z].z > 2.9f * half;
+    });
+    for (const float side : {-1.0f, 1.0f}) {
+        const unsigned a = at(std::min(side * half, side * crack), -half),
+                       b = at(std::max(side * half, side * crack), -half),
+                       c = at(std::max(side * half, side * crack), half),
+                       d = at(std::min(side * half, side * crack), half);
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({a, c, d});
+    }
+    mesh.uvs = {};
+    RenderOptions options = small(1);
+    options.width = options.height = 1;
+    Camera camera = eyeAt({0, 0.1f, 4});  // past the diagonals of its faces
+    camera.target = {0, 0.1f, 0};
+    options.retakeFaulty = false;
+    EXPECT_GT(render(scene, constantCube(1.0f), camera, options).inconsistencies, 0u);
+    const Image faulty = render(scene, gradientCube(), camera, options).radiance;
+    options.retakeFaulty = true;
+    const Rendering mended = render(scene, constantCube(1.0f), camera, options);
+    EXPECT_EQ(mended.leaks + mended.inconsistencies, 0u);
+    EXPECT_LT(mostFrom(mended.radiance, 1.0f), 1e-5f);
+    EXPECT_NE(render(scene, gradientCube(), camera, options).radiance.at(0, 0), faulty.at(0, 0));
+}
+
     EXPECT_GT(render(Scene{}, cube, ahead, options).radiance.at(24, 16).y, 0.99f);
     options.environmentRotation = 1.5707963f;
     options.environmentIntensity = 3.0f;
