@@ -82,8 +82,7 @@ void Renderer::setMaterial(int part, const Material& material) {
 }
 
 void Renderer::setEnvironment(const Environment& environment, Preparation preparation) {
-    environment_ = EnvironmentTexture(environment, preparation);
-    lightChain_ = LightChain(environment, environment_.scale());
+    environment_ = Surroundings(environment, preparation);
     resetAccumulation();
     throwPendingErrors("uploading the environment");
 }
@@ -96,7 +95,7 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options) {
 
 void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
                          const PictureWindow& window) {
-    TUKOR_ASSERT(environment_.faceSize() > 0);
+    TUKOR_ASSERT(environment_.texture.faceSize() > 0);
     const Subject subject{camera, options, window};
     if (subject_ != subject) resetAccumulation();
     subject_ = subject;
@@ -143,7 +142,8 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
 bool Renderer::preparesLight(float backgroundBlur) const noexcept {
     const bool finished = std::any_of(materials_.begin(), materials_.end(),
                                       [](const Material& m) { return m.finish != nullptr; });
-    return (finished || tracedScene_.finished() || backgroundBlur > 0.0f) && !lightChain_.ready();
+    return (finished || tracedScene_.finished() || backgroundBlur > 0.0f) &&
+           !environment_.chain.ready();
 }
 
 std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {
@@ -190,14 +190,19 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
         buffers_.beginMultisampled();
     else
         buffers_.beginPlain();
-    environment_.bind(0);
+    Surroundings& around = surroundings(picture.environmentIntensity);
+    around.texture.bind(0);
     const auto drawBackground = [&] {
-        background_.draw(picture.background, view, turn, footprintMiddle, environment_);
+        background_.draw(picture.background, view, turn, footprintMiddle, around.texture);
     };
-    const FinishFrame frame{
-        view, turn, footprintMiddle, environment_.define(), unitsPerRadiance(subject), lights_};
+    const FinishFrame frame{view,
+                            turn,
+                            footprintMiddle,
+                            around.texture.define(),
+                            1.0f / radiancePerUnit(picture.environmentIntensity),
+                            lights_};
     const auto drawFinishes = [&](FinishDrawer::Pass pass) {
-        finishes_.draw(surfaces_, materials_, pass, lightChain_, frame);
+        finishes_.draw(surfaces_, materials_, pass, around.chain, frame);
     };
     glEnable(GL_SCISSOR_TEST);
     for (const Look& look : looks) {
@@ -205,7 +210,7 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
         if (look.fidelity != Fidelity::single) {  // smooth surfaces only hide what is behind them
             glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
             single_.draw(surfaces_, materials_, look.fresnel, view, turn, footprintMiddle,
-                         environment_.define());
+                         around.texture.define());
             glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
             drawFinishes(FinishDrawer::Pass::opaque);
             drawFinishes(FinishDrawer::Pass::blended);
@@ -213,7 +218,7 @@ void Renderer::drawRasterised(const Subject& subject, const std::vector<Look>& l
         }
         if (subject.options.backgroundOrder == BackgroundOrder::first) drawBackground();
         single_.draw(surfaces_, materials_, look.fresnel, view, turn, footprintMiddle,
-                     environment_.define());
+                     around.texture.define());
         drawFinishes(FinishDrawer::Pass::opaque);
         if (subject.options.backgroundOrder == BackgroundOrder::last) drawBackground();
         drawFinishes(FinishDrawer::Pass::blended);
@@ -239,7 +244,7 @@ void Renderer::accumulate(const Look& look) {
 void Renderer::blurBackground(const Subject& subject) {
     buffers_.bindNextSum(Counting::none);
     bindTexture(0, buffers_.sum());
-    lightChain_.bind(1);
+    surroundings(subject.options.picture.environmentIntensity).chain.bind(1);
     background_.drawBehind(frames_,
                            viewOf(subject.camera, subject.window, glm::vec2(0.0f), bounds_),
                            environmentFromWorld(subject.options.picture.environmentRotation),
@@ -247,9 +252,17 @@ void Renderer::blurBackground(const Subject& subject) {
     buffers_.showNextSum();
 }
 
-float Renderer::unitsPerRadiance(const Subject& subject) const {
-    const float intensity = subject.options.picture.environmentIntensity;
-    return 1.0f / (environment_.scale() * std::max(intensity, 1e-6f));
+Renderer::Surroundings& Renderer::surroundings(float intensity) {
+    if (intensity > 0.0f) return environment_;
+    if (darkness_.texture.faceSize() == 0) {
+        Environment none{"", CubeMap(1), {}};
+        darkness_ = Surroundings(none, Preparation::all);
+    }
+    return darkness_;
+}
+
+float Renderer::radiancePerUnit(float intensity) {
+    return surroundings(intensity).texture.scale() * (intensity > 0.0f ? intensity : 1.0f);
 }
 
 View Renderer::tracedView(const Subject& subject, glm::vec2 point) const {
@@ -274,22 +287,23 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     constexpr float kFootprint = 0.7f;
     // From there on a sample is small enough for few to graze: see docs/notes/rims.md.
     constexpr float kSplitFrom = 64.0f;
+    Surroundings& around = surroundings(picture.environmentIntensity);
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
     constexpr TracedDrawer::Units kUnits{7, 9, 10, 12};  // after the environment and the scene
     bindTexture(kUnits.sum, buffers_.sum());
     bindTexture(kUnits.sum + 1, buffers_.counts());
     if (finished) {
         bindTexture(kUnits.raster, buffers_.frame());
-        lightChain_.bind(kUnits.chain);
+        around.chain.bind(kUnits.chain);
     }
     if (firstHitsHelp(subject)) bindTexture(kUnits.firstHits, buffers_.firstHits());
     const bool count = counting_ == Counting::all && !subject.options.comparison;
     traced_.draw(
-        tracedScene_, environment_,
+        tracedScene_, around.texture,
         {view, subject.window, picture, look.fidelity, look.fresnel,
          environmentFromWorld(picture.environmentRotation), kFootprint / std::sqrt(samples),
          picture.splitGrazing && samples >= kSplitFrom, frames_, centred(subject),
-         firstHitsHelp(subject), lights_, unitsPerRadiance(subject)},
+         firstHitsHelp(subject), lights_, 1.0f / radiancePerUnit(picture.environmentIntensity)},
         count ? Counting::all : Counting::none, kUnits,
         {look.left, 0, look.right - look.left, subject.window.height});
 }
@@ -313,8 +327,8 @@ void Renderer::present(const DisplayOptions& options, const Viewport& viewport) 
     throwPendingErrors("showing the picture");
 }
 
-float Renderer::radiancePerSum() const {
-    return environment_.scale() * subject_->options.picture.environmentIntensity /
+float Renderer::radiancePerSum() {
+    return radiancePerUnit(subject_->options.picture.environmentIntensity) /
            static_cast<float>(frames_);
 }
 

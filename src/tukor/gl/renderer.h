@@ -91,7 +91,7 @@ public:
 
     /// Whether a frame with this backgroundBlur has to prepare the light of finishes.
     [[nodiscard]] bool preparesLight(float backgroundBlur) const noexcept;
-    [[nodiscard]] const LightChain& lightChain() const noexcept { return lightChain_; }
+    [[nodiscard]] const LightChain& lightChain() const noexcept { return environment_.chain; }
 
     /// Forgets the frames so far.
     void resetAccumulation() noexcept {
@@ -135,20 +135,31 @@ private:
     [[nodiscard]] bool firstHitsHelp(const Subject& subject) const;
     void drawTraced(const Subject& subject, const Look& look, const View& view);
     void blurBackground(const Subject& subject);
-    [[nodiscard]] float unitsPerRadiance(const Subject& subject) const;
 
-    [[nodiscard]] float radiancePerSum() const;
+    struct Surroundings {
+        Surroundings() = default;
+        Surroundings(const Environment& environment, Preparation preparation)
+            : texture(environment, preparation), chain(environment, texture.scale()) {}
+
+        EnvironmentTexture texture;
+        LightChain chain;
+    };
+    /// The environment, or darkness where its intensity is 0.
+    [[nodiscard]] Surroundings& surroundings(float intensity);
+    /// Sums count in units of the texels of that, so that half floats hold them.
+    [[nodiscard]] float radiancePerUnit(float intensity);
+    [[nodiscard]] float radiancePerSum();
 
     Bounds bounds_;
     std::vector<Material> materials_;
     std::vector<Light> lights_;
     SurfaceBuffers surfaces_;
-    EnvironmentTexture environment_;
+    Surroundings environment_;
+    Surroundings darkness_;  // made when it is first asked for
     FrameBuffers buffers_;
     BackgroundDrawer background_;
     SingleDrawer single_;
     FinishDrawer finishes_;
-    LightChain lightChain_;
     TracedScene tracedScene_;
     TracedDrawer traced_;
     Counting counting_ = Counting::none;

@@ -121,6 +121,24 @@ TEST(Renderer, ShowsClearMatterInUniformLightAsNothing) {
         ASSERT_LT(glm::length(pixel - glm::vec3(0.5f, 1.0f, 2.0f)), 2e-3f);  // half-float frames
 }
 
+TEST(Renderer, ShowsLampsWhereTheEnvironmentHasNoIntensity) {
+    Material clay;
+    Finish matt;
+    matt.metallic = 0.0f;
+    clay.finish = std::make_shared<Finish>(matt);
+    Scene scene = sphereOf(clay);
+    Light lamp;
+    lamp.intensity = glm::vec3(2.0f);
+    scene.lights.push_back(lamp);
+    RenderOptions options = small();
+    const Image black = render(scene, uniform(glm::vec3(0.0f)), Camera{}, options).radiance;
+    options.environmentIntensity = 0.0f;
+    const Image dark = render(scene, uniform(glm::vec3(5.0f)), Camera{}, options).radiance;
+    EXPECT_LT(largestDifference(dark, black), 1e-6f);
+    EXPECT_GT(dark.at(kWidth / 2, kHeight / 2).x, 0.3f);
+    EXPECT_EQ(dark.at(0, 0), glm::vec3(0.0f));
+}
+
 TEST(Renderer, KeepsSunsBrighterThanHalfFloats) {
     const Image image =
         render(sphereOf(Material{}), uniform(glm::vec3(1e6f)), Camera{}, small()).radiance;
@@ -155,7 +173,7 @@ TEST(Renderer, BlursWhatLiesBehindTheSceneAlone) {
         options.picture.fidelity = fidelity;
         const auto drawn = [&](Background background, float blur) {
             options.picture.background = background;
-            options.backgroundBlur = blur;
+            options.picture.backgroundBlur = blur;
             for (int i = 0; i < 2; ++i) renderer.drawFrame(tilted(), options);
             return renderer.read().radiance;
         };
