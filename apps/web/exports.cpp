@@ -2,6 +2,7 @@
 // has the sentence.
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,17 @@ Image pictureOf(int width, int height, const auto& pixelAt) {
     std::size_t i = 0;
     for (glm::vec3& pixel : picture.pixels()) pixel = pixelAt(i++);
     return picture;
+}
+
+tukor::Scene modelOf(const char* name, std::span<const std::byte> bytes, const char* variant,
+                     const char* animation, double seconds) {
+    tukor::ModelOptions options;
+    options.variant = variant;
+    options.animation = animation;
+    if (seconds >= 0.0) options.timeSeconds = seconds;
+    tukor::Scene scene = tukor::loadGltf(name, bytes, options);
+    tukor::forgetMemoryFiles();
+    return scene;
 }
 
 }  // namespace
@@ -81,13 +93,22 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_model(const char* name, const std::byte* byte
                                          const char* variant, const char* animation,
                                          double seconds) {
     return guarded([&] {
-        tukor::ModelOptions options;
-        options.variant = variant;
-        options.animation = animation;
-        if (seconds >= 0.0) options.timeSeconds = seconds;
-        viewer->setScene(tukor::loadGltf(name, {bytes, static_cast<std::size_t>(size)}, options));
-        tukor::forgetMemoryFiles();
+        viewer->setScene(
+            modelOf(name, {bytes, static_cast<std::size_t>(size)}, variant, animation, seconds));
         return 0;
+    });
+}
+
+/// The same at another moment, without its images; 1 where it has other parts then, and is to be
+/// set.
+EMSCRIPTEN_KEEPALIVE int tukor_pose_model(const char* name, const std::byte* bytes, int size,
+                                          const char* variant, const char* animation,
+                                          double seconds) {
+    return guarded([&] {
+        return viewer->setPose(modelOf(name, {bytes, static_cast<std::size_t>(size)}, variant,
+                                       animation, seconds))
+                   ? 0
+                   : 1;
     });
 }
 

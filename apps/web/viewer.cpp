@@ -65,6 +65,21 @@ void Viewer::setScene(Scene scene) {
     for (const Part& part : scene_.parts) ownMaterials_.push_back(part.material);
 }
 
+bool Viewer::setPose(Scene scene) {
+    const auto same = [](const Part& a, const Part& b) {
+        return a.name == b.name && a.materialName == b.materialName;
+    };
+    if (!std::equal(scene.parts.begin(), scene.parts.end(), scene_.parts.begin(),
+                    scene_.parts.end(), same) ||
+        scene.lights.size() != ownLights_)
+        return false;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        scene_.parts[i].mesh = std::move(scene.parts[i].mesh);
+    std::move(scene.lights.begin(), scene.lights.end(), scene_.lights.begin());
+    renderer_.setPose(scene_);
+    return true;
+}
+
 void Viewer::setSuns(std::span<const float> figures) {
     while (scene_.lights.size() > ownLights_) scene_.lights.pop_back();
     for (std::size_t i = 0; i < figures.size(); i += 6) {

@@ -21,6 +21,9 @@ public:
     Viewer();
 
     void setScene(Scene scene);
+    /// The same parts elsewhere, of the materials that they have; false, and nothing done, when
+    /// they are not the same.
+    bool setPose(Scene scene);
     /// `NAME` or `PATTERN=NAME`, separated by semicolons; all others get back their own.
     void setMaterials(std::string_view specifications);
     /// False, and nothing done, when the picture is not twice as wide as high.

@@ -71,7 +71,7 @@ class Host {
         await (await import("./tukor-images.js")).decodeImages(engine.gl, contents, files, (...image) => images.push(image));
       this.#model = { name, ...plain, images, ...look };
       await engine.gather(bytes.length);
-      this.#read();
+      this.#read("set");
       animations = animationsOf(contents);
     } else {
       const scene = await (await import("./tukor-extras.js")).model({ name, bytes, files });
@@ -82,20 +82,22 @@ class Host {
     return { framing: engine.json("framing", aspect), parts: engine.json("parts"), animations };
   }
 
-  #read() {
+  /** The model at its moment: `set` it, or `pose` what is there already. True when that cannot be posed. */
+  #read(how) {
     const engine = this.#engine;
     const { name, bytes, files, images, variant, animation, seconds } = this.#model;
     engine.call("clear_files");
     for (const [path, content] of files) engine.call("add_file", path, content, content.length);
-    for (const image of images) engine.call("add_image", ...image);
-    engine.call("set_model", name, bytes, bytes.length, variant, animation, seconds);
+    if (how === "set") for (const image of images) engine.call("add_image", ...image);
+    return engine.call(`${how}_model`, name, bytes, bytes.length, variant, animation, seconds) !== 0;
   }
 
   /** Another moment of an animated model. */
   #pose(seconds) {
     if (!this.#model || this.#model.seconds === seconds) return;
     this.#model.seconds = seconds;
-    this.#read();
+    if (!this.#read("pose")) return;
+    this.#read("set");
     for (const what of ["materials", "suns"]) if (this.#set[what]) this.#engine.call(`set_${what}`, ...this.#set[what]);
   }
 

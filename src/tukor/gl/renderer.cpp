@@ -58,10 +58,16 @@ void bindTexture(int unit, const Texture& texture) {
 }  // namespace
 
 void Renderer::setScene(const Scene& scene, Preparation preparation) {
-    bounds_ = boundsOf(scene);
     materials_.clear();
     setLights(scene.lights);
     for (const Part& part : scene.parts) materials_.push_back(part.material);
+    surfaces_ = SurfaceBuffers(scene);
+    setPose(scene, preparation);
+}
+
+void Renderer::setPose(const Scene& scene, Preparation preparation) {
+    TUKOR_ASSERT(scene.parts.size() == materials_.size());
+    bounds_ = boundsOf(scene);
     surfaces_ = SurfaceBuffers(scene);
     finishes_.clear();
     tracedScene_ = preparation == Preparation::all ? TracedScene(scene) : TracedScene();

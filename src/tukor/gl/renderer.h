@@ -67,6 +67,9 @@ public:
     Renderer() = default;
 
     /// `Preparation::single` when no other fidelity will be asked for.
+
+    /// The parts of the scene that was set, moved: materials and textures stay.
+    void setPose(const Scene& scene, Preparation preparation = Preparation::all);
     void setScene(const Scene& scene, Preparation preparation = Preparation::all);
     /// The material of one part of the scene; cheap.
     void setMaterial(int part, const Material& material);
