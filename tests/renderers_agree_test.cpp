@@ -113,7 +113,7 @@ TEST_P(Renderers, DrawTheSamePicture) {
     const Environment light = loadEnvironment("studio");
     const Camera camera = framingCamera(scene, 16.0f / 9.0f);
     // With one sample, in the middle of the pixel, gl begins with what the rasteriser found.
-    for (const auto [depth, samples] : {std::pair(8, 1), std::pair(8, 2), std::pair(64, 2)}) {
+    for (const auto& [depth, samples] : {std::pair(8, 1), std::pair(8, 2), std::pair(64, 2)}) {
         const RenderOptions options = quick(depth, samples);
         const Image a = gl::render(scene, light, camera, options).radiance;
         const Image b = trace::render(scene, light, camera, options).radiance;

@@ -164,7 +164,6 @@ gl::FrameOptions Viewer::frameOptions(int width, int height) const noexcept {
     frame.picture = options_;
     frame.picture.width = width;
     frame.picture.height = height;
-    frame.backgroundBlur = backgroundBlur_;
     return frame;
 }
 
@@ -210,7 +209,7 @@ std::span<const std::uint8_t> Viewer::stillPixels() {
 }
 
 std::string Viewer::lightWanted() const {
-    if (!renderer_.preparesLight(backgroundBlur_)) return "null";
+    if (!renderer_.preparesLight(options_.backgroundBlur)) return "null";
     const gl::LightSource& source = renderer_.lightChain().source();
     const int width = source.panorama ? source.panorama->width() : source.cube->faceSize();
     const glm::vec3* const texels = source.panorama ? source.panorama->pixels().data()

@@ -41,7 +41,7 @@ public:
     /// Events along one branch of the light path, at fidelities that trace rays.
     void setMaxDepth(int depth) noexcept { options_.maxDepth = depth; }
     /// From 0, sharp, to 1.
-    void setBackgroundBlur(float blur) noexcept { backgroundBlur_ = blur; }
+    void setBackgroundBlur(float blur) noexcept { options_.backgroundBlur = blur; }
     void setExposure(float stops) noexcept { display_.exposureStops = stops; }
     void setCamera(const Camera& camera) noexcept { camera_ = camera; }
 
@@ -82,7 +82,6 @@ private:
     Pace pace_;
     RenderOptions options_;
     gl::DisplayOptions display_;
-    float backgroundBlur_ = 0.0f;
     Scene scene_;
     std::size_t ownLights_ = 0;           // before setSuns()
     std::vector<Material> ownMaterials_;  // the parts' before setMaterials()

@@ -27,7 +27,7 @@ export const FIGURES = {
 };
 
 /** Of these the command says nothing, or something else. */
-export const PAGE_ONLY = ["background-blur", "light", "time-seconds"];
+export const PAGE_ONLY = ["light", "time-seconds"];
 
 export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 

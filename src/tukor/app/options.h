@@ -62,6 +62,7 @@ struct LightOptions {
     float intensity = 1.0f;
     std::optional<int> faceSize;  // texels per edge of its cube map; none: by its resolution
     Background background = Background::quad;
+    float backgroundBlur = 0.0f;
     std::vector<std::string> lights;  // beside it: DIRECTION[/COLOUR]
     std::string ground;               // its height, or `lowest`; empty: none
 
@@ -166,6 +167,8 @@ void describe(Options& o, Visitor&& field) {
     field(
         "background", o.background, Spellings<Background>(kBackgroundSpellings),
         "how the environment is drawn behind the model; quad, box and dome give the same picture");
+    field("background-blur", o.backgroundBlur, Measure<float>{"X", {0.0f, 1.0f}},
+          "shows it behind the model as a surface of this roughness would; 0 is sharp");
     field(
         "light", o.lights, Placeholder{"X,Y,Z[/R,G,B]"},
         "light from one direction besides, seen by rough, diffuse and textured surfaces: where it "

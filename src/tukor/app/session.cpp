@@ -204,6 +204,7 @@ RenderOptions Session::renderOptions() const {
     render.fidelity = quality.fidelity;
     render.fresnel = quality.fresnel;
     render.background = options_.light.background;
+    render.backgroundBlur = options_.light.backgroundBlur;
     render.environmentRotation = glm::radians(options_.light.rotationDegrees);
     render.environmentIntensity = options_.light.intensity;
     render.rayBudget = quality.rayBudget;

@@ -40,7 +40,8 @@ void setState(bool depthTest) {
 }
 
 bool blurs(const FrameOptions& options) {
-    return options.backgroundBlur > 0.0f && options.picture.background != Background::none;
+    const RenderOptions& picture = options.picture;
+    return picture.backgroundBlur > 0.0f && picture.background != Background::none;
 }
 
 /// What frames are drawn as: a blurred background is added to their sum.
@@ -59,9 +60,8 @@ void bindTexture(int unit, const Texture& texture) {
 
 void Renderer::setScene(const Scene& scene, Preparation preparation) {
     materials_.clear();
-    setLights(scene.lights);
     for (const Part& part : scene.parts) materials_.push_back(part.material);
-    surfaces_ = SurfaceBuffers(scene);
+    finishes_.clear();
     setPose(scene, preparation);
 }
 
@@ -69,9 +69,8 @@ void Renderer::setPose(const Scene& scene, Preparation preparation) {
     TUKOR_ASSERT(scene.parts.size() == materials_.size());
     bounds_ = boundsOf(scene);
     surfaces_ = SurfaceBuffers(scene);
-    finishes_.clear();
     tracedScene_ = preparation == Preparation::all ? TracedScene(scene) : TracedScene();
-    resetAccumulation();
+    setLights(scene.lights);
     throwPendingErrors("uploading the model");
 }
 
@@ -254,7 +253,7 @@ void Renderer::blurBackground(const Subject& subject) {
     background_.drawBehind(frames_,
                            viewOf(subject.camera, subject.window, glm::vec2(0.0f), bounds_),
                            environmentFromWorld(subject.options.picture.environmentRotation),
-                           subject.options.backgroundBlur);
+                           subject.options.picture.backgroundBlur);
     buffers_.showNextSum();
 }
 
@@ -288,12 +287,12 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     if (!tracedScene_.ready()) throw Error("the scene was prepared for fidelity single alone");
     const RenderOptions picture = framePicture(subject.options);
     const bool finished = tracedScene_.finished();
+    Surroundings& around = surroundings(picture.environmentIntensity);
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
     // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
     constexpr float kFootprint = 0.7f;
     // From there on a sample is small enough for few to graze: see docs/notes/rims.md.
     constexpr float kSplitFrom = 64.0f;
-    Surroundings& around = surroundings(picture.environmentIntensity);
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
     constexpr TracedDrawer::Units kUnits{7, 9, 10, 12};  // after the environment and the scene
     bindTexture(kUnits.sum, buffers_.sum());

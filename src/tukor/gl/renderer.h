@@ -38,7 +38,6 @@ struct FrameOptions {
     RenderOptions picture;  // `samples` is how many the caller means to accumulate, if it knows
     std::optional<Comparison> comparison;
     BackgroundOrder backgroundOrder = BackgroundOrder::last;
-    float backgroundBlur = 0.0f;  // as a surface of this perceptual roughness shows it, to 1
 
     friend bool operator==(const FrameOptions&, const FrameOptions&) = default;
 };
@@ -67,10 +66,10 @@ public:
     Renderer() = default;
 
     /// `Preparation::single` when no other fidelity will be asked for.
+    void setScene(const Scene& scene, Preparation preparation = Preparation::all);
 
     /// The parts of the scene that was set, moved: materials and textures stay.
     void setPose(const Scene& scene, Preparation preparation = Preparation::all);
-    void setScene(const Scene& scene, Preparation preparation = Preparation::all);
     /// The material of one part of the scene; cheap.
     void setMaterial(int part, const Material& material);
     /// In place of the scene's; cheap.

@@ -44,6 +44,7 @@ struct RenderOptions {
     Fidelity fidelity = Fidelity::exact;
     FresnelForm fresnel = FresnelForm::exact;
     Background background = Background::quad;
+    float backgroundBlur = 0.0f;        // as a surface of this perceptual roughness shows it, to 1
     float environmentRotation = 0.0f;   // radians about +Y, counter-clockwise seen from above
     float environmentIntensity = 1.0f;  // factor on radiance
     int rayBudget = 128;                // rays a camera ray may spend at `exact`
@@ -60,10 +61,10 @@ struct RenderOptions {
     // at the rim of a glass ball shows a wide strip of the environment. trace: where `samples`
     // alone is given; gl: from 64 samples on.
     bool splitGrazing = true;
-    std::vector<AovLayer> layers;  // trace only
     // Whether a camera sample whose path lost track of its media, by rounding, is taken again a
     // little aside, where that is rare: where it is not, the model is at fault (trace only).
     bool retakeFaulty = true;
+    std::vector<AovLayer> layers;  // trace only
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };

@@ -45,6 +45,8 @@ struct Frame {
     bool retakeFaulty = true;
     const RoughEvent* rough = nullptr;   // null: all surfaces are ideally smooth
     const Spectrum* spectrum = nullptr;  // null: nothing disperses light
+    // What camera rays see that meet nothing; null: the environment.
+    const EnvironmentMap* backdrop = nullptr;
 };
 
 /// The media that contain a point, by the surfaces that rays from there cross on their way out.

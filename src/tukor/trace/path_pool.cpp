@@ -71,6 +71,13 @@ void PathPool::castCameraRays(float footprintScale) {
                 firstHits_.push_back({hit, sample});
             } else if (frame_.background) {
                 const transport::Branch ray = cameraBranch(samples[sample], footprintScale);
+                if (frame_.backdrop) {
+                    sums_[static_cast<std::size_t>(samples[sample].target)].radiance +=
+                        samples[sample].weight *
+                        frame_.backdrop->radiance(ray.direction,
+                                                  transport::footprintSolidAngle(ray.footprint));
+                    continue;
+                }
                 if (lookUps_.room() < 1) settle();
                 owed_.push_back(
                     {glm::vec3(samples[sample].weight), samples[sample].target,
@@ -198,6 +205,7 @@ void PathPool::finish(const Path& path) noexcept {
         grazing_.push_back(path.sample);
         return;
     }
+    if (retakes_ && path.tree.leaks + path.tree.inconsistencies > 0) faulty_.push_back(path.sample);
     const CameraSample& sample = samples_[path.sample];
     PixelSum& sum = sums_[static_cast<std::size_t>(sample.target)];
     sum.radiance += sample.weight * path.radiance;
@@ -205,7 +213,6 @@ void PathPool::finish(const Path& path) noexcept {
     counts_.rays += static_cast<std::uint64_t>(path.tree.rays - 1);  // its first was counted before
     counts_.leaks += static_cast<std::uint64_t>(path.tree.leaks);
     counts_.inconsistencies += static_cast<std::uint64_t>(path.tree.inconsistencies);
-    if (retakes_ && path.tree.leaks + path.tree.inconsistencies > 0) faulty_.push_back(path.sample);
     counts_.truncated += static_cast<std::uint64_t>(path.tree.truncated);
 }
 

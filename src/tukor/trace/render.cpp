@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/environment/panorama.h"
+#include "tukor/environment/prefilter.h"
 #include "tukor/trace/layers.h"
 #include "tukor/trace/passes.h"
 #include "tukor/trace/rough_event.h"
@@ -39,8 +41,23 @@ PassGoals goalsOf(const RenderOptions& options) {
     return goals;
 }
 
-Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camera& camera,
-                      const RenderOptions& options, const RenderProgress& progress) {
+/// The environment as a surface of the perceptual roughness `backgroundBlur` shows it.
+EnvironmentMap blurredMap(const Image& panorama, const RenderOptions& options) {
+    const double roughness = static_cast<double>(options.backgroundBlur);
+    const double alpha = roughness * roughness;
+    const int faceSize = alpha > 0.02 ? 256 : alpha > 0.01 ? 512 : 1024;  // some texels a lobe
+    return {*blurredCube(panorama, {LobeShape::ggx, alpha}, faceSize), options.environmentRotation,
+            options.environmentIntensity};
+}
+
+bool blurs(const RenderOptions& options) {
+    return options.backgroundBlur > 0.0f && options.background != Background::none;
+}
+
+/// `backdrop`: what is seen beside the scene; null: `map`.
+Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop, const Scene& given,
+                      const Camera& camera, const RenderOptions& options,
+                      const RenderProgress& progress) {
     std::optional<Scene> grounded;
     if (options.ground) grounded = withGround(given, *options.ground);
     const Scene& scene = grounded ? *grounded : given;
@@ -51,7 +68,7 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
     });
     std::optional<RoughEvent> rough;
     if (finished)
-        rough.emplace(scene, surfaces, caster, map,
+        rough.emplace(scene, surfaces, caster, map, backdrop ? *backdrop : map,
                       static_cast<float>(options.samples.value_or(32)));
     std::optional<Spectrum> spectrum;
     if (surfaces.disperse()) spectrum.emplace();
@@ -68,8 +85,10 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
         .height = options.height,
         .seed = options.seed,
         .splitGrazing = options.splitGrazing && !goals.error && !goals.timeSeconds,
+        .retakeFaulty = options.retakeFaulty,
         .rough = rough ? &*rough : nullptr,
         .spectrum = spectrum ? &*spectrum : nullptr,
+        .backdrop = backdrop,
     };
     Passes passes(frame, goals, progress);
     passes.run();
@@ -85,7 +104,6 @@ Rendering renderUnder(const EnvironmentMap& map, const Scene& given, const Camer
         samples += picture.samples[i];
         if (!frame.background && picture.samples[i] > 0) {
             rendering.radiance.alpha[i] =
-        .retakeFaulty = options.retakeFaulty,
                 picture.sums[i].coverage / static_cast<float>(picture.samples[i]);
         }
     }
@@ -107,14 +125,20 @@ Rendering render(const Scene& scene, const CubeMap& environment, const Camera& c
     check(options);
     const EnvironmentMap map(environment, options.environmentRotation,
                              options.environmentIntensity);
-    return renderUnder(map, scene, camera, options, progress);
+    std::optional<EnvironmentMap> backdrop;
+    if (blurs(options))
+        backdrop.emplace(
+            blurredMap(panoramaFromCube(environment, 4 * environment.faceSize()), options));
+    return renderUnder(map, backdrop ? &*backdrop : nullptr, scene, camera, options, progress);
 }
 
 Rendering render(const Scene& scene, const Image& panorama, const Camera& camera,
                  const RenderOptions& options, const RenderProgress& progress) {
     check(options);
     const EnvironmentMap map(panorama, options.environmentRotation, options.environmentIntensity);
-    return renderUnder(map, scene, camera, options, progress);
+    std::optional<EnvironmentMap> backdrop;
+    if (blurs(options)) backdrop.emplace(blurredMap(panorama, options));
+    return renderUnder(map, backdrop ? &*backdrop : nullptr, scene, camera, options, progress);
 }
 
 Rendering render(const Scene& scene, const Environment& environment, const Camera& camera,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,6 +57,25 @@ TEST(TraceRender, LevelsBelowExactLoseNothingEither) {
     }
 }
 
+TEST(TraceRender, BlursWhatLiesBehindTheSceneAlone) {
+    CubeMap environment(32);  // a gradient, of which the widest blur leaves two thirds
+    for (const CubeFace face : kCubeFaces)
+        for (int i = 0; i < 32 * 32; ++i)
+            environment.texels(face)[static_cast<std::size_t>(i)] =
+                0.5f + 0.3f * glm::normalize(directionFromTexel({face, i % 32, i / 32}, 32));
+    const Scene scene = sceneOfShape("sphere", clear(1.5f, 1));
+    RenderOptions options = small(4);
+    const Image sharp = render(scene, environment, eyeAt({0, 0, 6}), options).radiance;
+    options.backgroundBlur = 1.0f;
+    const Image blurred = render(scene, environment, eyeAt({0, 0, 6}), options).radiance;
+    EXPECT_EQ(blurred.at(24, 16), sharp.at(24, 16));
+    for (const auto& [column, row] : {std::pair(0, 0), {47, 0}, {3, 31}, {40, 20}})
+        EXPECT_LT(glm::length(blurred.at(column, row) -
+                              glm::mix(glm::vec3(0.5f), sharp.at(column, row), 2.0f / 3.0f)),
+                  2e-3f)
+            << column << ", " << row;
+}
+
 TEST(TraceRender, ThreadsDoNotChangeThePicture) {
     const Scene scene = sceneOfShape("brilliant", clear(2.42f, 1));
     RenderOptions options = small(16);
@@ -104,6 +124,7 @@ TEST(TraceRender, RaysThatTouchAnEdgeKeepTrackOfTheirMedia) {
     for (glm::vec3& p : scene.parts[1].mesh.positions) p *= 2.0f;
     RenderOptions options = small(1);
     options.width = options.height = 1;
+    options.retakeFaulty = false;
     const float edge = boundsOf(scene.parts[0].mesh).most.x;
     std::uint64_t faults = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -124,7 +145,6 @@ TEST(TraceRender, ErrorCountsBeyondWhite) {
     for (int row = 1; row < 32; row += 3)
         for (int column = 1; column < 32; column += 3)
             sun.texels(CubeFace::posZ)[static_cast<std::size_t>(row * 32 + column)] *= 1e4f;
-    options.retakeFaulty = false;
     const Scene scene = sceneOfShape("sphere", metal());
     const auto picture = [&](int samples, std::optional<float> error) {
         RenderOptions options = small(samples);
@@ -148,26 +168,6 @@ TEST(TraceRender, OpenModelsAreCounted) {
     EXPECT_GT(r.leaks + r.inconsistencies, 100u);
 }
 
-TEST(TraceRender, NoBackgroundMeansCoverageInAlpha) {
-    RenderOptions options = small(16);
-    options.background = Background::none;
-    const Scene scene = sceneOfShape("sphere", metal());
-    const Rendering r = render(scene, constantCube(1.0f), eyeAt({0, 0, 4}), options);
-    ASSERT_EQ(r.radiance.alpha.size(), r.radiance.pixels().size());
-    EXPECT_EQ(r.radiance.alpha.front(), 0.0f);
-    EXPECT_EQ(r.radiance.at(0, 0), glm::vec3(0.0f));
-    EXPECT_EQ(r.radiance.alpha[16 * 48 + 24], 1.0f);
-    EXPECT_TRUE(
-        render(scene, constantCube(1.0f), eyeAt({0, 0, 4}), small(1)).radiance.alpha.empty());
-}
-
-TEST(TraceRender, RotationIsCounterClockwiseSeenFromAbove) {
-    // What was at -Z, ahead, goes to -X, to the left; a quarter turn brings +X ahead.
-    CubeMap cube(8);
-    for (glm::vec3& texel : cube.texels(CubeFace::posX)) texel = glm::vec3(1.0f, 0.0f, 0.0f);
-    for (glm::vec3& texel : cube.texels(CubeFace::negZ)) texel = glm::vec3(0.0f, 1.0f, 0.0f);
-    RenderOptions options = small(4);
-    const Camera ahead = eyeAt({0, 0, 4});
 TEST(TraceRender, FaultySamplesAreTakenAgainALittleAside) {
     // A cube with a crack in its front, far finer than a pixel, where the only sample is.
     Scene scene = sceneOfShape("cube", clear(1.5f, 1));
@@ -204,6 +204,26 @@ TEST(TraceRender, FaultySamplesAreTakenAgainALittleAside) {
     EXPECT_NE(render(scene, gradientCube(), camera, options).radiance.at(0, 0), faulty.at(0, 0));
 }
 
+TEST(TraceRender, NoBackgroundMeansCoverageInAlpha) {
+    RenderOptions options = small(16);
+    options.background = Background::none;
+    const Scene scene = sceneOfShape("sphere", metal());
+    const Rendering r = render(scene, constantCube(1.0f), eyeAt({0, 0, 4}), options);
+    ASSERT_EQ(r.radiance.alpha.size(), r.radiance.pixels().size());
+    EXPECT_EQ(r.radiance.alpha.front(), 0.0f);
+    EXPECT_EQ(r.radiance.at(0, 0), glm::vec3(0.0f));
+    EXPECT_EQ(r.radiance.alpha[16 * 48 + 24], 1.0f);
+    EXPECT_TRUE(
+        render(scene, constantCube(1.0f), eyeAt({0, 0, 4}), small(1)).radiance.alpha.empty());
+}
+
+TEST(TraceRender, RotationIsCounterClockwiseSeenFromAbove) {
+    // What was at -Z, ahead, goes to -X, to the left; a quarter turn brings +X ahead.
+    CubeMap cube(8);
+    for (glm::vec3& texel : cube.texels(CubeFace::posX)) texel = glm::vec3(1.0f, 0.0f, 0.0f);
+    for (glm::vec3& texel : cube.texels(CubeFace::negZ)) texel = glm::vec3(0.0f, 1.0f, 0.0f);
+    RenderOptions options = small(4);
+    const Camera ahead = eyeAt({0, 0, 4});
     EXPECT_GT(render(Scene{}, cube, ahead, options).radiance.at(24, 16).y, 0.99f);
     options.environmentRotation = 1.5707963f;
     options.environmentIntensity = 3.0f;

@@ -36,10 +36,12 @@ transport::Footprint spreadFootprint(glm::vec3 direction, float spread) noexcept
 }  // namespace
 
 RoughEvent::RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const RayCaster& caster,
-                       const EnvironmentMap& environment, float expectedSamples)
+                       const EnvironmentMap& environment, const EnvironmentMap& backdrop,
+                       float expectedSamples)
     : surfaces_(surfaces),
       caster_(caster),
       environment_(environment),
+      backdrop_(backdrop),
       finishes_(scene),
       lamps_(scene.lights),
       expectedSamples_(expectedSamples) {
@@ -136,8 +138,8 @@ glm::vec3 RoughEvent::meetGround(transport::Tree& tree, transport::Branch at, Pa
         E += light.E * std::max(light.wi.y, 0.0f);
     }
     // What is behind, in full; then what things take of that, and what they send.
-    glm::vec3 seen =
-        environment_.radiance(at.direction, transport::footprintSolidAngle(at.footprint));
+    const EnvironmentMap& behind = at.depth > 1 ? environment_ : backdrop_;
+    glm::vec3 seen = behind.radiance(at.direction, transport::footprintSolidAngle(at.footprint));
     const glm::vec3 radiance = at.throughput * seen;
     if (at.depth > 1) seen = glm::min(seen, E / kPi);  // no ground reflects more than it gets
     const glm::vec3 perE = at.throughput * seen / glm::max(E, glm::vec3(1e-20f));

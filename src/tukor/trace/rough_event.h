@@ -26,7 +26,8 @@ struct Chosen {
 class RoughEvent {
 public:
     RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const RayCaster& caster,
-               const EnvironmentMap& environment, float expectedSamples);
+               const EnvironmentMap& environment, const EnvironmentMap& backdrop,
+               float expectedSamples);
 
     /// Whether the surface of a hit has a finish; then meet() is to be called instead of scatter().
     [[nodiscard]] bool concerns(const RayHit& hit) const noexcept {
@@ -67,6 +68,7 @@ private:
     const SurfaceTable& surfaces_;
     const RayCaster& caster_;
     const EnvironmentMap& environment_;
+    const EnvironmentMap& backdrop_;  // what the ground shows the camera
     FinishTable finishes_;
     std::vector<Light> lamps_;
     std::unique_ptr<LightSampler> lights_;  // none where no part has a finish
