@@ -29,16 +29,27 @@ def measure(scene, map_name, args):
         curves.setdefault(name, []).append((cpu, *error))
     promised = [(e, float(scenes.header_text(picture, "expected-rmse") or "nan"), error[2])
                 for e, (_, (_, picture)), error in zip(args.errors.split(","), ours, errors[len(peers):])]
-    return curves, noise, common, promised
-
-
-def row(scene, map_name, curves, noise, common):
     cycles = [sum(column) / 2 for column in zip(*curves["Cycles"][:2])]  # two seeds at 256 samples
     curves["Cycles"][:2] = [tuple(cycles)]
-    cells = [scene, map_name, figure(cycles[0]), figure(cycles[1]), figure(cycles[2]), figure(cycles[3])]
-    for column in (1, 2, 3):
-        time = cpu_at(curves["tukor"], cycles[column], column) or cpu_at(curves["tukor --samples"], cycles[column], column)
-        cells.append("-" if time is None else f"{figure(time, 2)} ({figure(cycles[0] / time, 2)}x)")
+    whole = sum(scenes.cycles_whole(picture) for _, (_, picture) in peers[:2]) / 2
+    return curves, noise, common, promised, cycles, whole
+
+
+def row(scene, map_name, curves, noise, common, cycles, whole):
+    start = scenes.start(scene, map_name)
+    cells = [scene, map_name, f"{figure(cycles[0])}, {figure(whole)}", figure(cycles[1]), figure(cycles[2]), figure(cycles[3]), figure(start, 2)]
+
+    def compared(ours, error, column):
+        """At an error: CPU seconds of the whole process, and how much less that is, without what comes before rendering and with it."""
+        time = cpu_at(ours["tukor"], error, column) or cpu_at(ours["tukor --samples"], error, column)
+        return "-" if time is None else f"{figure(time, 2)} ({figure(cycles[0] / (time - start), 2)}x, {figure(whole / time, 2)}x)"
+
+    cells += [compared(curves, cycles[column], column) for column in (1, 2, 3)]
+    # Each against its own limit: what two renders of Cycles have in common is not its noise.
+    own = {name: [(cpu, *errors[:2], max(errors[2] ** 2 - noise[2] ** 2, 1e-6) ** 0.5) for cpu, *errors in points]
+           for name, points in curves.items()}
+    alone = max(cycles[3] ** 2 - max(common[2], 0.0) ** 2, 1e-6) ** 0.5
+    cells.append(f"{figure(alone)}: {compared(own, alone, 3)}")
     pov = cpu_at(curves.get("POV-Ray", [(1.0, 1e9, 1e9, 1e9)]), cycles[3], 3)
     cells += [figure(pov), figure(noise[2]), figure(common[2])]
     return "| " + " | ".join(cells) + " |"
@@ -60,13 +71,13 @@ def main():
     for scene in args.scenes.split(","):
         rays, building, casting = scenes.traversal(scene)
         cpu, picture = scenes.tukor(scene, "forest", ["--samples", 16])
-        start = scenes.tukor(scene, "forest", ["--samples", 1], size=(16, 9), out=scenes.FOLDER / "start.exr")[0]
+        start = scenes.start(scene, "forest")
         ours = int(scenes.header_text(picture, "rays"))
         limits.append(f"| {scene} | {rays / casting / 1e6:.2f} | {ours / (cpu - start) / 1e6:.2f} | {ours / (cpu - start) / (rays / casting):.0%} | {start:.2f} | {building:.2f} |")
         print(limits[-1], flush=True)
         for map_name in args.maps.split(","):
-            curves, noise, common, promised = measure(scene, map_name, args)
-            rows.append(row(scene, map_name, curves, noise, common))
+            curves, noise, common, promised, cycles, whole = measure(scene, map_name, args)
+            rows.append(row(scene, map_name, curves, noise, common, cycles, whole))
             print(rows[-1], flush=True)
             promises.append(f"| {scene} | {map_name} | " + " | ".join(f"{said:.2f} / {true:.2f}" for _, said, true in promised) + " |")
             print(promises[-1], flush=True)
@@ -86,15 +97,17 @@ TEXT = """# CPU time at equal error
 Written by `bench/offline/offline.py {arguments}`. A torus knot of gold (70,000 triangles), a sphere of glass (84,500) and a torus knot of glass (70,000), together and each
 alone, 480x270, one thread each, under `forest` (a photograph), `city` (a photograph with the sun), both 1024x512 from blender-data, and `detailed`
 (generated, 4096x2048, detail down to single pixels and a sun of half a degree). CPU seconds are user and system: of the whole process for tukor
-and POV-Ray, of the render alone for Cycles (Debian's Blender 3.4). Gold is a tint of 1, 0.77, 0.34, which all renderers have.
+and POV-Ray, of the render and of the whole process for Cycles (Debian's Blender 3.4). Gold is a tint of 1, 0.77, 0.34, which all renderers have.
 
 RMSE is that of radiance; relative MSE the mean of (a - b)^2 / (b^2 + 0.01); sRGB the RMSE in codes of 8-bit sRGB. The reference is the mean of two
 pictures of trace at {reference} samples a pixel or more; its noise is half their distance. *Common* is the root of the mean product of the errors of two renders
 of Cycles with different seeds: what Cycles' limit and the reference do not share, with the reference's noise in it. Where it is near Cycles' error, most of
-that is no noise, and the comparison flatters tukor. Its times are of `--error`, or of `--samples` where that curve does not reach the error.
+that is no noise, and comparing at equal error flatters tukor; so the last column but three compares the noise alone, each renderer against its own limit.
+tukor's times are of `--error`, or of `--samples` where that curve does not reach the error: CPU seconds, and in brackets how many times those of Cycles are, without
+what comes before rendering (*start*: one sample of 16x9 pixels) and of the whole processes.
 
-| scene | environment | Cycles at 256: CPU s | RMSE | relative MSE | sRGB | tukor: CPU s at that RMSE | at that relative MSE | at that sRGB | POV-Ray at that sRGB | noise, sRGB | common, sRGB |
-|---|---|---|---|---|---|---|---|---|---|---|---|
+| scene | environment | Cycles at 256: CPU s, render, whole | RMSE | relative MSE | sRGB | tukor: start | at that RMSE | at that relative MSE | at that sRGB | noise of Cycles alone, sRGB: tukor at that | POV-Ray at that sRGB | noise, sRGB | common, sRGB |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|---|
 {rows}
 
 ![error over CPU time](offline.svg)

@@ -117,8 +117,19 @@ def cycles(scene, map_name, samples, seed=1):
     eye, target, size = view(scene)
     job = {"models": models, "tint": TINT, "ior": IOR, "environment": str(environment(map_name)), "eye": eye, "target": target,
            "fov": FOV, "size": size, "samples": samples, "seed": seed, "out": str(out)}
-    _, text = run(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/cycles.py", "--", json.dumps(job)])
+    whole, text = run(["blender", "-b", "--factory-startup", "--python", ROOT / "bench/offline/cycles.py", "--", json.dumps(job)])
+    out.with_suffix(".whole").write_text(str(whole))
     return float(re.search(r"CYCLES_CPU ([\d.]+)", text)[1]), out
+
+
+def cycles_whole(picture):
+    """CPU seconds of the whole process that made one of Cycles' pictures."""
+    return float(pathlib.Path(picture).with_suffix(".whole").read_text())
+
+
+def start(scene, map_name):
+    """CPU seconds of tukor before it traces: those of one sample of 16x9 pixels; the least of three."""
+    return min(tukor(scene, map_name, ["--samples", 1], size=(16, 9), out=FOLDER / "start.exr")[0] for _ in range(3))
 
 
 def cached(renderer, scene, map_name, quality, again):
