@@ -90,6 +90,9 @@ Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& 
                      : std::move(*source.panorama);
     const CubeMap& cube = *source.cube;
     const int to = width.value_or(4 * cube.faceSize());
+    if (source.square && to >= cube.faceSize())
+        return source.ball ? panoramaFromBall(*source.square, to, progress)
+                           : panoramaFromOctahedral(*source.square, to, progress);
     // Pixels are such that looking up between them gives what the cube map shows: a panorama that
     // was made into faces comes back.
     return panoramaWithMeansOf(to < cube.faceSize() ? shrunkCube(cube, to) : cube, to, progress);
@@ -139,8 +142,10 @@ WorkSource loadWorkSource(const std::string& nameOrPath, std::optional<PictureFo
                             nameOrPath, picture.width(), picture.height()));
         const int faceSize = std::max(1, picture.width() / 2);
         source.layout = form == PictureForm::ball ? "mirror ball" : "octahedral map";
-        source.cube = form == PictureForm::ball ? cubeFromBall(picture, faceSize)
-                                                : cubeFromOctahedral(picture, faceSize);
+        source.ball = form == PictureForm::ball;
+        source.cube =
+            source.ball ? cubeFromBall(picture, faceSize) : cubeFromOctahedral(picture, faceSize);
+        source.square = std::move(picture);
         return source;
     }
     const Layout layout = layoutOfPicture(nameOrPath, picture, form);
@@ -158,6 +163,7 @@ void turn(WorkSource& source, double radians) {
     if (std::abs(std::remainder(radians, 2.0 * std::numbers::pi)) < 1e-9) return;
     if (source.panorama) source.panorama = turnedPanorama(*source.panorama, radians);
     if (source.cube) source.cube = turnedCube(*source.cube, radians);
+    source.square.reset();
 }
 
 const Image& panoramaOf(WorkSource& source) {
@@ -234,11 +240,13 @@ bool saveWork(const std::string& path, WorkSource source, const WorkTarget& targ
             break;
         case PictureForm::octahedral:
         case PictureForm::ball: {
-            // A face of half the edge has about as many texels to the degree.
-            const CubeMap cube =
-                cubeOf(std::move(source),
-                       size ? std::optional<int>(std::max(1, *size / 2)) : std::nullopt, making);
-            const int edge = size.value_or(2 * cube.faceSize());
+            // A face of half the edge has about as many texels to the degree; one of a panorama
+            // is made finer, so that it is not blurred twice.
+            const int edge =
+                size.value_or(2 * (source.panorama ? faceSizeForEquirect(source.panorama->width())
+                                                   : source.cube->faceSize()));
+            const int faces = source.panorama ? facesBeside(edge) : std::max(1, edge / 2);
+            const CubeMap cube = cubeOf(std::move(source), faces, making);
             add(path,
                 target.form == PictureForm::ball ? ballFromCube(cube, edge)
                                                  : octahedralFromCube(cube, edge),

@@ -23,6 +23,8 @@ struct WorkSource {
     int height = 0;
     std::optional<Image> panorama;
     std::optional<CubeMap> cube;
+    std::optional<Image> square;  // the octahedral or ball picture of which `cube` was made
+    bool ball = false;
     std::vector<std::string> warnings;
 };
 

@@ -9,7 +9,9 @@
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_axes.h"
 #include "tukor/environment/cube_function.h"
+#include "tukor/environment/equirect.h"
 #include "tukor/environment/grid_point.h"
+#include "tukor/environment/unblurred.h"
 
 namespace tukor {
 
@@ -17,20 +19,20 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Fills a picture with means of 3 x 3 values of radiance(u, v), u and v in [0, 1].
-template <class Radiance>
+/// Fills a picture with means of `across` x `across` values of radiance(u, v), u and v in [0, 1].
+template <int across = 3, class Radiance>
 Image pictureOf(int width, int height, const Radiance& radiance) {
     Image image(width, height);
     parallelFor(0, height, 8, [&](int begin, int end) {
         for (int row = begin; row < end; ++row)
             for (int column = 0; column < width; ++column) {
                 glm::vec3 sum(0.0f);
-                for (int i = 0; i < 9; ++i) {
+                for (int i = 0; i < across * across; ++i) {
                     const glm::vec2 at =
-                        (glm::vec2(column, row) + gridPoint(i, 3)) / glm::vec2(width, height);
+                        (glm::vec2(column, row) + gridPoint(i, across)) / glm::vec2(width, height);
                     sum += radiance(at.x, at.y);
                 }
-                image.at(column, row) = sum / 9.0f;
+                image.at(column, row) = sum / static_cast<float>(across * across);
             }
     });
     return image;
@@ -70,6 +72,60 @@ glm::vec3 valueAt(const Image& image, glm::vec2 place) {
     return glm::mix(glm::mix(image.at(column, row), image.at(nextColumn, row), right),
                     glm::mix(image.at(column, nextRow), image.at(nextColumn, nextRow), right),
                     down);
+}
+
+glm::vec2 ballFromDirection(glm::vec3 d, int width) {
+    // The normal lies half way to the camera; where the ball hides the scene behind it, its rim.
+    const glm::vec3 half = d + glm::vec3(0.0f, 0.0f, 1.0f);
+    const float length = std::max(glm::length(half), 1e-4f);
+    const float inside = 1.0f - 1.5f / static_cast<float>(width);
+    glm::vec2 p = glm::vec2(half.x, half.y) / length;
+    p *= std::min(1.0f, inside / std::max(glm::length(p), 1e-6f));
+    return {0.5f + 0.5f * p.x, 0.5f - 0.5f * p.y};
+}
+
+std::optional<glm::vec3> directionFromBall(float u, float v) {
+    const float x = 2.0f * u - 1.0f, y = 1.0f - 2.0f * v;
+    const float z2 = 1.0f - x * x - y * y;
+    if (z2 < 0.0f) return std::nullopt;
+    const float z = std::sqrt(z2);
+    return glm::vec3(2.0f * z * x, 2.0f * z * y, 2.0f * z * z - 1.0f);
+}
+
+/// The panorama of a square picture of the sphere: `place` is where in the picture a direction
+/// lies, `direction` the inverse, if any. Each step brings what the picture would be of the
+/// panorama nearer to what it is.
+Image approached(const Image& picture, int width, auto&& place, auto&& direction,
+                 const Progress& progress) {
+    constexpr int kSteps = 5;
+    const int edge = picture.width(), height = std::max(1, width / 2);
+    Image image = unblurred(pictureOf(width, height, [&](float u, float v) {
+        return valueAt(picture, place(directionFromEquirect({u, v})));
+    }));
+    for (int step = 0; step < kSteps; ++step) {
+        Image ratios = pictureOf<2>(edge, edge, [&](float u, float v) {
+            const std::optional<glm::vec3> d = direction(u, v);
+            return d ? equirectRadiance(image, *d) : glm::vec3(0.0f);
+        });
+        for (std::size_t i = 0; i < ratios.pixels().size(); ++i)
+            for (int c = 0; c < 3; ++c) {
+                float& is = ratios.pixels()[i][c];
+                is = is > 0.0f ? picture.pixels()[i][c] / is : 1.0f;
+            }
+        const float done = static_cast<float>(step + 1) / (kSteps + 1);
+        const bool all = parallelFor(
+            0, height, 8, partOf(progress, done, done + 1.0f / (kSteps + 1)),
+            [&](int begin, int end) {
+                for (int row = begin; row < end; ++row)
+                    for (int column = 0; column < width; ++column) {
+                        const glm::vec2 at =
+                            (glm::vec2(column, row) + 0.5f) / glm::vec2(width, height);
+                        image.at(column, row) *= valueAt(ratios, place(directionFromEquirect(at)));
+                    }
+            });
+        if (!all) break;
+    }
+    return image;
 }
 
 }  // namespace
@@ -113,6 +169,11 @@ CubeMap turnedCube(const CubeMap& cube, double radians) {
     return cubeFromFunction(cube.faceSize(), [&](Cone) { return radiance; });
 }
 
+int facesBeside(int edge) noexcept {
+    constexpr int kFine = 2048;
+    return std::max(std::min(edge, kFine), std::max(1, edge / 2));
+}
+
 Image octahedralFromCube(const CubeMap& cube, int size) {
     return pictureOf(
         size, size, [&](float u, float v) { return cube.radiance(directionFromOctahedral(u, v)); });
@@ -120,11 +181,8 @@ Image octahedralFromCube(const CubeMap& cube, int size) {
 
 Image ballFromCube(const CubeMap& cube, int size) {
     return pictureOf(size, size, [&](float u, float v) {
-        const float x = 2.0f * u - 1.0f, y = 1.0f - 2.0f * v;
-        const float z2 = 1.0f - x * x - y * y;
-        if (z2 < 0.0f) return glm::vec3(0.0f);
-        const float z = std::sqrt(z2);
-        return cube.radiance({2.0f * z * x, 2.0f * z * y, 2.0f * z * z - 1.0f});
+        const std::optional<glm::vec3> d = directionFromBall(u, v);
+        return d ? cube.radiance(*d) : glm::vec3(0.0f);
     });
 }
 
@@ -135,16 +193,21 @@ CubeMap cubeFromOctahedral(const Image& picture, int faceSize) {
 
 CubeMap cubeFromBall(const Image& picture, int faceSize) {
     const auto radiance = [&](glm::vec3 d) {
-        // The normal lies half way to the camera; where the ball hides the scene behind it, its
-        // rim.
-        const glm::vec3 half = d + glm::vec3(0.0f, 0.0f, 1.0f);
-        const float length = std::max(glm::length(half), 1e-4f);
-        const float inside = 1.0f - 1.5f / static_cast<float>(picture.width());
-        glm::vec2 p = glm::vec2(half.x, half.y) / length;
-        p *= std::min(1.0f, inside / std::max(glm::length(p), 1e-6f));
-        return valueAt(picture, {0.5f + 0.5f * p.x, 0.5f - 0.5f * p.y});
+        return valueAt(picture, ballFromDirection(d, picture.width()));
     };
     return cubeFromFunction(faceSize, [&](Cone) { return radiance; });
+}
+
+Image panoramaFromOctahedral(const Image& picture, int width, const Progress& progress) {
+    return approached(
+        picture, width, octahedralFromDirection,
+        [](float u, float v) { return std::optional(directionFromOctahedral(u, v)); }, progress);
+}
+
+Image panoramaFromBall(const Image& picture, int width, const Progress& progress) {
+    return approached(
+        picture, width, [&](glm::vec3 d) { return ballFromDirection(d, picture.width()); },
+        directionFromBall, progress);
 }
 
 }  // namespace tukor

@@ -27,6 +27,10 @@ namespace tukor {
 [[nodiscard]] Image panoramaWithMeansOf(const CubeMap& cube, int width,
                                         const Progress& progress = {});
 
+/// The faces of a cube map between a panorama and a square picture of the sphere of this edge:
+/// about twice as many texels to the degree, while they take no more than 300 MB.
+[[nodiscard]] int facesBeside(int edge) noexcept;
+
 /// The octahedral map of [Engelhardt & Dachsbacher 2008] with +Y in the middle, +X right and +Z
 /// down.
 [[nodiscard]] Image octahedralFromCube(const CubeMap& cube, int size);
@@ -35,5 +39,12 @@ namespace tukor {
 
 [[nodiscard]] CubeMap cubeFromOctahedral(const Image& picture, int faceSize);
 [[nodiscard]] CubeMap cubeFromBall(const Image& picture, int faceSize);
+
+/// Of which the octahedral or ball picture comes near this one. Never negative. Stops as
+/// resizedPanorama does.
+[[nodiscard]] Image panoramaFromOctahedral(const Image& picture, int width,
+                                           const Progress& progress = {});
+[[nodiscard]] Image panoramaFromBall(const Image& picture, int width,
+                                     const Progress& progress = {});
 
 }  // namespace tukor

@@ -251,10 +251,9 @@ Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress)
 
 Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progress) {
     Image image = unblurred(panoramaFromCube(cube, width, partOf(progress, 0.0f, 0.6f)));
-    // Where texels are coarser than pixels, cubeFromEquirect takes their means: each step brings
-    // these nearer to the cube's.
+    // Each step brings what cubeFromEquirect makes of it nearer to the cube map.
     constexpr int kSteps = 3;
-    if (static_cast<double>(width) <= kPi * cube.faceSize() || isConstant(cube)) return image;
+    if (isConstant(cube)) return image;
     const int height = image.height();
     for (int step = 0; step < kSteps; ++step) {
         const CubeMap found = cubeFromEquirect(image, cube.faceSize());
