@@ -53,8 +53,8 @@ struct RenderOptions {
     float weightCutoff = 1e-4f;
     int maxDepth = 64;  // events along one branch
     // Of branches lighter than this one child is followed, by chance; 0: always both (trace only).
-    // 1/128: docs/notes/adaptive-sampling.md.
-    float splitWeight = 0.0078125f;
+    // None: 1/128 where `samples` alone is given, else 1/32: docs/notes/adaptive-sampling.md.
+    std::optional<float> splitWeight;
     std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
                                   // but for shadows on it and light that things throw (trace only)
     // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones: a pixel
