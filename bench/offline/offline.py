@@ -35,7 +35,7 @@ def measure(scene, map_name, args):
     return curves, noise, common, promised, cycles, whole
 
 
-def row(scene, map_name, curves, noise, common, cycles, whole):
+def row(scene, map_name, curves, noise, common, promised, cycles, whole):
     start = scenes.start(scene, map_name)
     cells = [scene, map_name, f"{figure(cycles[0])}, {figure(whole)}", figure(cycles[1]), figure(cycles[2]), figure(cycles[3]), figure(start, 2)]
 
@@ -45,9 +45,8 @@ def row(scene, map_name, curves, noise, common, cycles, whole):
         return "-" if time is None else f"{figure(time, 2)} ({figure(cycles[0] / (time - start), 2)}x, {figure(whole / time, 2)}x)"
 
     cells += [compared(curves, cycles[column], column) for column in (1, 2, 3)]
-    # Each against its own limit: what two renders of Cycles have in common is not its noise.
-    own = {name: [(cpu, *errors[:2], max(errors[2] ** 2 - noise[2] ** 2, 1e-6) ** 0.5) for cpu, *errors in points]
-           for name, points in curves.items()}
+    # What two renders of Cycles have in common is not its noise; what tukor reports is its noise.
+    own = {"tukor": [(point[0], 0, 0, said) for point, (_, said, _) in zip(curves["tukor"], promised)], "tukor --samples": [(1e9, 0, 0, 1e9)]}
     alone = max(cycles[3] ** 2 - max(common[2], 0.0) ** 2, 1e-6) ** 0.5
     cells.append(f"{figure(alone)}: {compared(own, alone, 3)}")
     pov = cpu_at(curves.get("POV-Ray", [(1.0, 1e9, 1e9, 1e9)]), cycles[3], 3)
@@ -77,7 +76,7 @@ def main():
         print(limits[-1], flush=True)
         for map_name in args.maps.split(","):
             curves, noise, common, promised, cycles, whole = measure(scene, map_name, args)
-            rows.append(row(scene, map_name, curves, noise, common, cycles, whole))
+            rows.append(row(scene, map_name, curves, noise, common, promised, cycles, whole))
             print(rows[-1], flush=True)
             promises.append(f"| {scene} | {map_name} | " + " | ".join(f"{said:.2f} / {true:.2f}" for _, said, true in promised) + " |")
             print(promises[-1], flush=True)
@@ -100,9 +99,10 @@ alone, 480x270, one thread each, under `forest` (a photograph), `city` (a photog
 and POV-Ray, of the render and of the whole process for Cycles (Debian's Blender 3.4). Gold is a tint of 1, 0.77, 0.34, which all renderers have.
 
 RMSE is that of radiance; relative MSE the mean of (a - b)^2 / (b^2 + 0.01); sRGB the RMSE in codes of 8-bit sRGB. The reference is the mean of two
-pictures of trace at {reference} samples a pixel or more; its noise is half their distance. *Common* is the root of the mean product of the errors of two renders
+pictures of trace at {reference} samples a pixel or more; its noise is half their distance; that its footprints blur it like one of so many samples is not in that, and is
+part of what `--error` below 1 is measured to be off. *Common* is the root of the mean product of the errors of two renders
 of Cycles with different seeds: what Cycles' limit and the reference do not share, with the reference's noise in it. Where it is near Cycles' error, most of
-that is no noise, and comparing at equal error flatters tukor; so the last column but three compares the noise alone, each renderer against its own limit.
+that is no noise, and comparing at equal error flatters tukor; so the last column but three compares the noise alone: that of Cycles, and what `--error` reports.
 tukor's times are of `--error`, or of `--samples` where that curve does not reach the error: CPU seconds, and in brackets how many times those of Cycles are, without
 what comes before rendering (*start*: one sample of 16x9 pixels) and of the whole processes.
 
