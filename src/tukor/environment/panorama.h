@@ -28,7 +28,7 @@ namespace tukor {
                                         const Progress& progress = {});
 
 /// The faces of a cube map between a panorama and a square picture of the sphere of this edge:
-/// about twice as many texels to the degree, while they take no more than 300 MB.
+/// about twice as many texels to the degree while they take no more than 300 MB, else as many.
 [[nodiscard]] int facesBeside(int edge) noexcept;
 
 /// The octahedral map of [Engelhardt & Dachsbacher 2008] with +Y in the middle, +X right and +Z

@@ -145,25 +145,31 @@ TEST_P(RoundTrip, BringsEveryLayoutBack) {
 INSTANTIATE_TEST_SUITE_P(EveryFormat, RoundTrip, testing::ValuesIn(formats()),
                          [](const auto& format) { return std::string(format.param.name); });
 
+/// Six pixels long.
+Image waves(int width) {
+    Image image(width, width / 2);
+    for (int row = 0; row < width / 2; ++row)
+        for (int column = 0; column < width; ++column)
+            image.at(column, row) =
+                glm::vec3(0.5f + 0.3f * std::sin(1.0472f * static_cast<float>(column + row)));
+    return image;
+}
+
 TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
     const fs::path folder =
         fs::temp_directory_path() / fmt::format("tukor_fine_faces_{}", std::random_device{}());
     fs::create_directories(folder);
     const std::string faces = (folder / "a_{}.exr").string();
     const std::string panorama = (folder / "a.exr").string();
-    Image waves(48, 24);  // six pixels long
-    for (int row = 0; row < 24; ++row)
-        for (int column = 0; column < 48; ++column)
-            waves.at(column, row) =
-                glm::vec3(0.5f + 0.3f * std::sin(1.0472f * static_cast<float>(column + row)));
+    const Image before = waves(48);
     WorkSource source;
-    source.panorama = waves;
+    source.panorama = before;
     saveWork(faces, source, {PictureForm::faces, 96});
     saveWork(panorama, loadWorkSource(faces, PictureForm::faces), {PictureForm::equirect, 48});
     const Image back = loadPicture(panorama);
     for (int row = 4; row < 20; ++row)  // means over areas alone would lose a fifth of the waves
         for (int column = 0; column < 48; ++column)
-            EXPECT_NEAR(back.at(column, row).x, waves.at(column, row).x, 0.02f)
+            EXPECT_NEAR(back.at(column, row).x, before.at(column, row).x, 0.02f)
                 << column << ", " << row;
     fs::remove_all(folder);
 }
@@ -171,20 +177,16 @@ TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
 TEST(RoundTripOctahedral, BringsAPanoramaBack) {
     const fs::path path =
         fs::temp_directory_path() / fmt::format("tukor_waves_{}.exr", std::random_device{}());
-    Image waves(96, 48);  // six pixels long
-    for (int row = 0; row < 48; ++row)
-        for (int column = 0; column < 96; ++column)
-            waves.at(column, row) =
-                glm::vec3(0.5f + 0.3f * std::sin(1.0472f * static_cast<float>(column + row)));
+    const Image before = waves(96);
     WorkSource source;
-    source.panorama = waves;
+    source.panorama = before;
     saveWork(path.string(), source, {PictureForm::octahedral, 96});
     saveWork(path.string(), loadWorkSource(path.string(), PictureForm::octahedral),
              {PictureForm::equirect, 96});
     const Image back = loadPicture(path.string());
     for (int row = 8; row < 40; ++row)  // looked up twice between texels they lose a third
         for (int column = 0; column < 96; ++column)
-            EXPECT_NEAR(back.at(column, row).x, waves.at(column, row).x, 0.03f)
+            EXPECT_NEAR(back.at(column, row).x, before.at(column, row).x, 0.03f)
                 << column << ", " << row;
     fs::remove(path);
 }

@@ -39,15 +39,10 @@ void setState(bool depthTest) {
     }
 }
 
-bool blurs(const FrameOptions& options) {
-    const RenderOptions& picture = options.picture;
-    return picture.backgroundBlur > 0.0f && picture.background != Background::none;
-}
-
 /// What frames are drawn as: a blurred background is added to their sum.
 RenderOptions framePicture(const FrameOptions& options) {
     RenderOptions picture = options.picture;
-    if (blurs(options)) picture.background = Background::none;
+    if (blursBackground(picture)) picture.background = Background::none;
     return picture;
 }
 
@@ -139,7 +134,7 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
     buffers_.swapSums();
     ++frames_;
     samples_ += perFrame;
-    if (blurs(options)) blurBackground(subject);
+    if (blursBackground(options.picture)) blurBackground(subject);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     throwPendingErrors("drawing a frame");
 }

@@ -69,6 +69,11 @@ struct RenderOptions {
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
+/// Whether the environment is seen blurred beside the scene.
+[[nodiscard]] inline bool blursBackground(const RenderOptions& options) noexcept {
+    return options.backgroundBlur > 0.0f && options.background != Background::none;
+}
+
 /// As Progress, with the rays so far beside the finished fraction; 0 where they are not counted.
 using RenderProgress = std::function<bool(float fraction, std::uint64_t rays)>;
 

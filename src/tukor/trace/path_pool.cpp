@@ -262,9 +262,12 @@ void PathPool::traceConsistently(float footprintScale) {
     for (CameraSample& one : again) one.weight = -one.weight;
     const TraceCounts before = counts_;
     traceAll(footprintScale);
-    counts_.leaks = 2 * before.leaks - counts_.leaks;
-    counts_.inconsistencies = 2 * before.inconsistencies - counts_.inconsistencies;
-    counts_.truncated = 2 * before.truncated - counts_.truncated;
+    const auto takeBack = [](std::uint64_t& now, std::uint64_t then) {
+        now = then - std::min(then, now - then);
+    };
+    takeBack(counts_.leaks, before.leaks);
+    takeBack(counts_.inconsistencies, before.inconsistencies);
+    takeBack(counts_.truncated, before.truncated);
     for (CameraSample& one : again) {
         one.weight = -one.weight;
         one.x += kAside * footprintScale;

@@ -50,10 +50,6 @@ EnvironmentMap blurredMap(const Image& panorama, const RenderOptions& options) {
             options.environmentIntensity};
 }
 
-bool blurs(const RenderOptions& options) {
-    return options.backgroundBlur > 0.0f && options.background != Background::none;
-}
-
 /// `backdrop`: what is seen beside the scene; null: `map`.
 Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop, const Scene& given,
                       const Camera& camera, const RenderOptions& options,
@@ -126,7 +122,7 @@ Rendering render(const Scene& scene, const CubeMap& environment, const Camera& c
     const EnvironmentMap map(environment, options.environmentRotation,
                              options.environmentIntensity);
     std::optional<EnvironmentMap> backdrop;
-    if (blurs(options))
+    if (blursBackground(options))
         backdrop.emplace(
             blurredMap(panoramaFromCube(environment, 4 * environment.faceSize()), options));
     return renderUnder(map, backdrop ? &*backdrop : nullptr, scene, camera, options, progress);
@@ -137,7 +133,7 @@ Rendering render(const Scene& scene, const Image& panorama, const Camera& camera
     check(options);
     const EnvironmentMap map(panorama, options.environmentRotation, options.environmentIntensity);
     std::optional<EnvironmentMap> backdrop;
-    if (blurs(options)) backdrop.emplace(blurredMap(panorama, options));
+    if (blursBackground(options)) backdrop.emplace(blurredMap(panorama, options));
     return renderUnder(map, backdrop ? &*backdrop : nullptr, scene, camera, options, progress);
 }
 
