@@ -78,7 +78,7 @@ RenderOptions quick(int maxDepth, int samples) {
     options.samples = samples;
     options.maxDepth = maxDepth;
     options.background = Background::none;
-    options.splitWeight = 0.0f;  // gl follows every branch; so does trace here
+    options.splitGain = 0.0f;  // gl follows every branch; so does trace here
     options.splitGrazing = false;
     options.weightCutoff = 1e-3f;
     return options;

@@ -94,14 +94,15 @@ private:
     std::vector<Packet> packets_;
 };
 
-transport::Tree treeAt(const RayGenerator& camera, glm::vec2 at, std::uint32_t seed) {
+transport::Tree treeAt(const RayGenerator& camera, glm::vec2 at, std::uint32_t seed,
+                       std::uint32_t index) {
     transport::Branch ray{};
     ray.origin = camera.eye;
     ray.direction = glm::normalize(camera.direction(at.x, at.y));
     ray.throughput = glm::vec3(1.0f);
     ray.footprint = transport::thinFootprint();
     ray.skip = -1;
-    return transport::startTree(ray, seed);
+    return transport::startTree(ray, seed, index);
 }
 
 int run(int argc, char** argv) {
@@ -139,7 +140,7 @@ int run(int argc, char** argv) {
         for (std::uint32_t s = 0; s < samples; ++s) {
             const glm::vec2 place = transport::pixelSample(seed, s) +
                                     glm::vec2(pixel % options.width, pixel / options.width);
-            trees.push_back(treeAt(camera, place, transport::mixedBits(seed + s)));
+            trees.push_back(treeAt(camera, place, seed, s));
             if (trees.size() == 64) recorder.follow(trees);
         }
     }

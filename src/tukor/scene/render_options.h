@@ -48,13 +48,13 @@ struct RenderOptions {
     float environmentRotation = 0.0f;   // radians about +Y, counter-clockwise seen from above
     float environmentIntensity = 1.0f;  // factor on radiance
     int rayBudget = 128;                // rays a camera ray may spend at `exact`
-    // Branches lighter than this become one look-up; where trace splits by splitWeight, 1e-5 at
+    // Branches lighter than this become one look-up; where trace chooses by chance, 1e-5 at
     // most.
     float weightCutoff = 1e-4f;
     int maxDepth = 64;  // events along one branch
-    // Of branches lighter than this one child is followed, by chance; 0: always both (trace only).
-    // None: 1/128 where `samples` alone is given, else 1/32: docs/notes/adaptive-sampling.md.
-    std::optional<float> splitWeight;
+    // Where following both children of a branch gains less than this, as transport/path_tree.h
+    // reckons it, one is, by chance; 0: always both (trace only).
+    float splitGain = 0.01f;
     std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
                                   // but for shadows on it and light that things throw (trace only)
     // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones: a pixel

@@ -8,12 +8,12 @@ namespace tukor::trace {
 
 namespace {
 
-/// A histogram over the binary logarithm of the variance that one more sample would take away.
+/// A histogram over the binary logarithm of the variance that one more ray would take away.
 constexpr int kBins = 512;
 constexpr float kBinsPerOctave = 8.0f;
 constexpr float kLeastOctave = -48.0f;
 
-int binOf(float worth) {
+int binOfWorth(float worth) {
     const float octave = std::log2(std::max(worth, 1e-14f));
     return std::clamp(static_cast<int>((octave - kLeastOctave) * kBinsPerOctave), 0, kBins - 1);
 }
@@ -100,6 +100,7 @@ void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t cou
     }
     sums[pixel].radiance += sum.radiance;
     sums[pixel].coverage += sum.coverage;
+    sums[pixel].rays += sum.rays;
     samples[pixel] += count;
 }
 
@@ -118,6 +119,7 @@ void ErrorEstimate::update(const Accumulation& picture) {
     const std::size_t count = picture.samples.size();
     raw_.resize(count, 0.0f);
     rawBright_.resize(count, 0.0f);
+    rays_.resize(count);
     sum_ = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         if (picture.active[i] && picture.halves[i] >= 0.0f) {
@@ -125,12 +127,14 @@ void ErrorEstimate::update(const Accumulation& picture) {
             rawBright_[i] = picture.brightHalves[i] * scale;
         }
         sum_ += raw_[i];
+        rays_[i] = picture.raysEach(i);
     }
     known_ = true;
     variance_ = raw_;
     bright_ = rawBright_;
     smooth(variance_, picture.width, picture.height);
     smooth(bright_, picture.width, picture.height);
+    smooth(rays_, picture.width, picture.height);
 }
 
 std::optional<double> ErrorEstimate::rmse() const noexcept {
@@ -142,12 +146,9 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
                                  std::uint32_t maxSamples) const {
     const std::size_t count = picture.samples.size();
     std::array<double, kBins> variance{};
-    for (std::size_t i = 0; i < count; ++i) {
-        const float n = static_cast<float>(std::max(picture.samples[i], 1u));
-        const int bin = binOf(variance_[i] / n);
-        variance[static_cast<std::size_t>(bin)] += variance_[i];
-    }
-    // The cheapest way to a sum of variances: all pixels are worth the same per sample in the end.
+    for (std::size_t i = 0; i < count; ++i)
+        variance[static_cast<std::size_t>(binOf(picture, variance_, i))] += variance_[i];
+    // The cheapest way to a sum of variances: all pixels are worth the same per ray in the end.
     const double goal = target * target * static_cast<double>(count);
     const double power = decay_ / (decay_ + 1.0);
     int threshold = kBins - 1;
@@ -161,22 +162,37 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
         }
         if (left <= goal) break;
     }
-    // Those that need at least half as many again; if there are none, those that need any.
-    for (const int least : {threshold + margin(), threshold, 0})
+    // Those that need at least half as many again; if there are none, so many as it takes.
+    if (activate(picture, bright_, threshold + margin(), maxSamples)) return true;
+    const double gained = 1.0 - std::exp2(-decay_);  // by doubling, of a variance
+    double left = sum_;
+    int least = kBins - 1;
+    for (; least > 0; --least) {
+        left -= gained * variance[static_cast<std::size_t>(least)];
+        if (left < goal) break;
+    }
+    for (; least >= 0; least -= margin())
         if (activate(picture, bright_, least, maxSamples)) return true;
-    return false;
+    return activate(picture, bright_, 0, maxSamples);
 }
 
 bool ErrorEstimate::chooseBright(Accumulation& picture, double target,
                                  std::uint32_t maxSamples) const {
     std::vector<float> beyond = bright_;
-    double samples = 0.0;
+    double rays = 0.0;
     for (std::size_t i = 0; i < beyond.size(); ++i) {
         beyond[i] -= variance_[i];
-        samples += picture.samples[i];
+        rays += picture.sums[i].rays;
     }
-    const double typical = target * target * static_cast<double>(beyond.size()) / samples;
-    return activate(picture, beyond, binOf(static_cast<float>(typical)) + margin(), maxSamples);
+    const double typical = target * target * static_cast<double>(beyond.size()) / rays;
+    return activate(picture, beyond, binOfWorth(static_cast<float>(typical)) + margin(),
+                    maxSamples);
+}
+
+int ErrorEstimate::binOf(const Accumulation& picture, const std::vector<float>& variance,
+                         std::size_t pixel) const noexcept {
+    const float n = static_cast<float>(std::max(picture.samples[pixel], 1u));
+    return binOfWorth(variance[pixel] / (n * rays_[pixel]));
 }
 
 int ErrorEstimate::margin() const noexcept {
@@ -184,12 +200,11 @@ int ErrorEstimate::margin() const noexcept {
 }
 
 bool ErrorEstimate::activate(Accumulation& picture, const std::vector<float>& variance, int least,
-                             std::uint32_t maxSamples) {
+                             std::uint32_t maxSamples) const {
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < variance.size(); ++i) {
-        const float n = static_cast<float>(std::max(picture.samples[i], 1u));
         const bool more = variance[i] > 0.0f && picture.samples[i] < maxSamples &&
-                          binOf(variance[i] / n) >= least;
+                          binOf(picture, variance, i) >= least;
         picture.active[i] = more;
         chosen += more;
     }

@@ -17,6 +17,11 @@ namespace tukor::trace {
 struct Accumulation {
     Accumulation(int w, int h);
 
+    /// Rays that a sample of the pixel takes.
+    [[nodiscard]] float raysEach(std::size_t pixel) const noexcept {
+        return samples[pixel] > 0 ? sums[pixel].rays / static_cast<float>(samples[pixel]) : 1.0f;
+    }
+
     [[nodiscard]] glm::vec3 mean(std::size_t pixel) const noexcept {
         return samples[pixel] > 0 ? sums[pixel].radiance / static_cast<float>(samples[pixel])
                                   : glm::vec3(0.0f);
@@ -51,7 +56,7 @@ public:
     /// Expected RMSE of the whole picture.
     [[nodiscard]] std::optional<double> rmse() const noexcept;
 
-    /// Marks the pixels to double so that the RMSE falls to `target` with the fewest samples, and
+    /// Marks the pixels to double so that the RMSE falls to `target` with the fewest rays, and
     /// those brighter than white that are as far off in unclippedCode; false when there is none
     /// that may have more.
     bool chooseActive(Accumulation& picture, double target, std::uint32_t maxSamples) const;
@@ -62,14 +67,18 @@ public:
 private:
     /// In bins of worth: what half as many samples again take off.
     [[nodiscard]] int margin() const noexcept;
-    /// Marks the pixels of which one more sample takes that bin's variance away, or more; false if
-    /// there are none.
-    static bool activate(Accumulation& picture, const std::vector<float>& variance, int least,
-                         std::uint32_t maxSamples);
+    /// The bin of the variance that one more ray for that pixel takes away, of `variance` that its
+    /// mean has.
+    [[nodiscard]] int binOf(const Accumulation& picture, const std::vector<float>& variance,
+                            std::size_t pixel) const noexcept;
+    /// Marks the pixels in that bin or higher; false if there are none.
+    bool activate(Accumulation& picture, const std::vector<float>& variance, int least,
+                  std::uint32_t maxSamples) const;
 
     std::vector<float> raw_;                 // variance of every pixel's mean, from its own samples
     std::vector<float> variance_;            // the same, averaged over its neighbourhood
     std::vector<float> rawBright_, bright_;  // the same of unclippedCode
+    std::vector<float> rays_;                // that a sample takes, averaged likewise
     double sum_ = 0.0;
     double decay_ = 1.5;  // p
     bool known_ = false;

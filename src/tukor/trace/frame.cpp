@@ -70,10 +70,9 @@ transport::TransportSettings transportSettings(const RenderOptions& options) noe
     settings.maxDepth = std::max(options.maxDepth, 1);
     // A look-up in place of a branch is wrong by what a sun makes of it: 1e-3 of 10^4 is a bright
     // pixel. Where light branches are not split they cost little, and can be followed to the end.
-    const bool adapts = !options.samples || options.error || options.timeSeconds;
-    settings.splitWeight = options.splitWeight.value_or(adapts ? 1.0f / 32.0f : 1.0f / 128.0f);
+    settings.splitGain = options.splitGain;
     settings.weightCutoff =
-        settings.splitWeight > 0.0f ? std::min(options.weightCutoff, 1e-5f) : options.weightCutoff;
+        settings.splitGain > 0.0f ? std::min(options.weightCutoff, 1e-5f) : options.weightCutoff;
     return settings;
 }
 

@@ -26,8 +26,8 @@ std::string nameOf(AovLayer layer) {
 /// Events along the longest branch; every light branch is followed too.
 int bouncesAlong(const Frame& frame, const transport::Branch& ray) {
     transport::TransportSettings settings = frame.settings;
-    settings.splitWeight = 0.0f;
-    transport::Tree tree = transport::startTree(ray, 0u);
+    settings.splitGain = 0.0f;
+    transport::Tree tree = transport::startTree(ray, 0u, 0u);
     int most = 0;
     while (tree.alive) {
         most = std::max(most, tree.branch.depth);

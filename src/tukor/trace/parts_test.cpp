@@ -1,5 +1,7 @@
 // The pieces of the CPU renderer, one by one.
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -7,6 +9,7 @@
 #include "tukor/environment/equirect.h"
 #include "tukor/geometry/tumbler.h"
 #include "tukor/trace/environment_map.h"
+#include "tukor/trace/error_estimate.h"
 #include "tukor/trace/frame.h"
 #include "tukor/trace/path_pool.h"
 #include "tukor/trace/test_scenes.h"
@@ -159,12 +162,49 @@ TEST(MediaAround, KnowsWaterWithinGlass) {
     EXPECT_EQ(mediaAround({0, 5, 0}, surfaces, caster), 0u);
 }
 
+/// Of `side` squared pixels, each with two samples that differ by about 10 codes, and `rays` each.
+Accumulation twiceSampled(int side, const std::function<float(int pixel)>& rays) {
+    Accumulation picture(side, side);
+    std::mt19937 random(3);
+    for (int sample = 0; sample < 2; ++sample)
+        for (int i = 0; i < side * side; ++i) {
+            const float radiance = std::uniform_real_distribution<float>(0.2f, 0.3f)(random);
+            picture.add(static_cast<std::size_t>(i), {glm::vec3(radiance), 1.0f, rays(i)}, 1);
+        }
+    return picture;
+}
+
+std::ptrdiff_t chosenIn(const Accumulation& picture) {
+    return std::count(picture.active.begin(), picture.active.end(), 1);
+}
+
+TEST(ErrorEstimate, JustAboveTheTargetFewPixelsGoOn) {
+    Accumulation picture = twiceSampled(64, [](int) { return 4.0f; });
+    ErrorEstimate estimate;
+    estimate.update(picture);
+    const double now = estimate.rmse().value();
+    ASSERT_TRUE(estimate.chooseActive(picture, 0.5 * now, 1024));
+    EXPECT_GT(chosenIn(picture), 64 * 64 / 2);
+    ASSERT_TRUE(estimate.chooseActive(picture, 0.99 * now, 1024));
+    EXPECT_LT(chosenIn(picture), 64 * 64 / 10);
+}
+
+TEST(ErrorEstimate, CheapPixelsGoOnBeforeDearOnes) {
+    Accumulation picture = twiceSampled(64, [](int i) { return i < 64 * 32 ? 2.0f : 40.0f; });
+    ErrorEstimate estimate;
+    estimate.update(picture);
+    ASSERT_TRUE(estimate.chooseActive(picture, 0.9 * estimate.rmse().value(), 1024));
+    const auto middle = picture.active.begin() + 64 * 32;
+    EXPECT_GT(std::count(picture.active.begin(), middle, 1), 64);
+    EXPECT_LT(std::count(middle, picture.active.end(), 1), 64);
+}
+
 Image traced(const SurfaceTable& surfaces) {
     const RayCaster caster(surfaces);
     const EnvironmentMap map(gradientCube(), 0.0f, 1.0f);
     RenderOptions options;
     options.rayBudget = 4096;
-    options.splitWeight = 0.0f;
+    options.splitGain = 0.0f;
     const Camera camera = eyeAt({0, 1.5f, 3.5f});
     const Frame frame{
         surfaces, caster, map, RayGenerator(camera, 48, 32), transportSettings(options), 0u, true,

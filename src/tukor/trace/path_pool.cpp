@@ -22,6 +22,9 @@ namespace {
 // cache.
 constexpr std::size_t kPaths = 64;
 
+// New ones begin when so few are left: those that began together cast rays that are alike.
+constexpr std::size_t kFewPaths = 16;
+
 constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
 
 // Of so many samples one may be faulty, and one more, for it to come of rounding.
@@ -69,21 +72,22 @@ void PathPool::castCameraRays(float footprintScale) {
             const RayHit& hit = hits[static_cast<std::size_t>(i)];
             if (hit.surface >= 0) {
                 firstHits_.push_back({hit, sample});
-            } else if (frame_.background) {
-                const transport::Branch ray = cameraBranch(samples[sample], footprintScale);
-                if (frame_.backdrop) {
-                    sums_[static_cast<std::size_t>(samples[sample].target)].radiance +=
-                        samples[sample].weight *
-                        frame_.backdrop->radiance(ray.direction,
-                                                  transport::footprintSolidAngle(ray.footprint));
-                    continue;
-                }
-                if (lookUps_.room() < 1) settle();
-                owed_.push_back(
-                    {glm::vec3(samples[sample].weight), samples[sample].target,
-                     frame_.environment.add(lookUps_, ray.direction,
-                                            transport::footprintSolidAngle(ray.footprint))});
+                continue;
             }
+            const float weight = samples[sample].weight;
+            const int target = samples[sample].target;
+            PixelSum& sum = sums_[static_cast<std::size_t>(target)];
+            sum.rays += 1.0f;
+            if (!frame_.background) continue;
+            const transport::Branch ray = cameraBranch(samples[sample], footprintScale);
+            const float solidAngle = transport::footprintSolidAngle(ray.footprint);
+            if (frame_.backdrop) {
+                sum.radiance += weight * frame_.backdrop->radiance(ray.direction, solidAngle);
+                continue;
+            }
+            if (lookUps_.room() < 1) settle();
+            owed_.push_back({glm::vec3(weight), target,
+                             frame_.environment.add(lookUps_, ray.direction, solidAngle)});
         }
     }
     counts_.rays += samples.size();
@@ -210,6 +214,7 @@ void PathPool::finish(const Path& path) noexcept {
     PixelSum& sum = sums_[static_cast<std::size_t>(sample.target)];
     sum.radiance += sample.weight * path.radiance;
     sum.coverage += sample.weight;
+    sum.rays += static_cast<float>(path.tree.rays);
     counts_.rays += static_cast<std::uint64_t>(path.tree.rays - 1);  // its first was counted before
     counts_.leaks += static_cast<std::uint64_t>(path.tree.leaks);
     counts_.inconsistencies += static_cast<std::uint64_t>(path.tree.inconsistencies);
@@ -226,8 +231,7 @@ std::vector<CameraSample> PathPool::splitGrazing(float footprintScale) const {
             CameraSample& one = finer.emplace_back(sample);
             one.x += footprintScale * place.x;
             one.y += footprintScale * place.y;
-            one.seed = transport::sampleSeed(sample.seed, i);
-            one.sampler = {one.seed, 0};
+            one.sampler = {sample.seed, i};
             one.weight = sample.weight / static_cast<float>(transport::kFinerSamples);
         }
     }
@@ -291,7 +295,8 @@ void PathPool::traceAll(float footprintScale) {
             const FirstHit& first = firstHits_[next++];
             const CameraSample& sample = samples_[first.sample];
             Path& path = paths_[live[alive]];
-            path.tree = transport::startTree(cameraBranch(sample, footprintScale), sample.seed);
+            path.tree = transport::startTree(cameraBranch(sample, footprintScale),
+                                             sample.sampler.pixelSeed, sample.sampler.index);
             path.radiance = glm::vec3(0.0f);
             path.sample = first.sample;
             path.tree.rays = 1;
@@ -315,7 +320,7 @@ void PathPool::traceAll(float footprintScale) {
     RayPacket packet;
     // While a packet is cast, the triangles that the one before has met arrive in the cache.
     std::array<RayHit, kPacketWidth> hits, before;
-    for (refill(); alive > 0; refill()) {
+    for (refill(); alive > 0;) {
         for (std::size_t begin = 0; begin < alive; begin += kPacketWidth) {
             const std::size_t count = std::min<std::size_t>(kPacketWidth, alive - begin);
             for (std::size_t i = 0; i < count; ++i) {
@@ -338,6 +343,7 @@ void PathPool::traceAll(float footprintScale) {
                 std::swap(live[i], live[--alive]);
             }
         }
+        if (alive < kFewPaths) refill();
     }
     settle();
 }

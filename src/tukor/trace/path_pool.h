@@ -23,6 +23,7 @@ struct CameraSample {
 struct PixelSum {
     glm::vec3 radiance{0.0f};
     float coverage = 0.0f;  // samples that met a surface
+    float rays = 0.0f;      // that they took
 };
 
 struct TraceCounts {

@@ -39,7 +39,7 @@ TEST(TraceRender, WhiteFurnaceIsOneOnEveryShapeAtEveryBudget) {
         for (const int budget : {1, 2, 8, 128}) {
             RenderOptions options = small(4);
             options.rayBudget = budget;
-            options.splitWeight = budget == 8 ? 0.0f : 0.0625f;
+            options.splitGain = budget == 8 ? 0.0f : 0.0625f;
             const Rendering r = render(scene, constantCube(1.0f), eyeAt({0.5f, 1, 3.5f}), options);
             EXPECT_LT(mostFrom(r.radiance, 1.0f), 1e-5f) << name << " at " << budget << " rays";
             EXPECT_EQ(r.leaks, 0u) << name;

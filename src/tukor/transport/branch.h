@@ -2,6 +2,7 @@
 #pragma once
 #include "tukor/transport/footprint.h"
 #include "tukor/transport/media.h"
+#include "tukor/transport/sampler.h"
 
 TUKOR_SHARED_BEGIN(transport)
 
@@ -81,15 +82,18 @@ struct Tree {
     int pendingCount;
     bool ended;  // the branch: spent() puts the next in its place
     bool alive;
-    int rays;             // rays traced so far; the host counts them
-    uint randomState;     // for branches too light to split
+    int rays;   // rays traced so far; the host counts them
+    uint seed;  // what chance decides: the same place, `index`, in a sequence each
+    uint index;
+    uint decisions;       // so far
     int truncated;        // branches that became a look-up by budget, depth, weight or want of room
     int leaks;            // branches that left the scene with a dielectric around them
     int inconsistencies;  // surfaces met from the side on which the path was not
 };
 
 /// `branch` is the camera ray: throughput 1, depth 0, skip -1, media as they are around the eye.
-TUKOR_FN Tree startTree(Branch branch, uint randomState) {
+/// What chance decides is spread evenly over the trees with the same `seed`, numbered by `index`.
+TUKOR_FN Tree startTree(Branch branch, uint seed, uint index) {
     Tree tree;
     tree.branch = branch;
     for (int i = 0; i < kPendingBranches; i++) tree.pendingWeights[i] = -1.0f;
@@ -97,20 +101,21 @@ TUKOR_FN Tree startTree(Branch branch, uint randomState) {
     tree.ended = false;
     tree.alive = true;
     tree.rays = 0;
-    tree.randomState = randomState;
+    tree.seed = mixedBits(seed ^ 0x68e31da4u);
+    tree.index = index;
+    tree.decisions = 0u;
     tree.truncated = 0;
     tree.leaks = 0;
     tree.inconsistencies = 0;
     return tree;
 }
 
-/// The next of a sequence of uniform numbers in [0, 1). [O'Neill 2014, RXS-M-XS reduced]
+/// Uniform in [0, 1): for each decision another shuffled and scrambled sequence. [Burley 2020]
 TUKOR_FN float nextRandom(TUKOR_INOUT(Tree) tree) {
-    uint state = tree.randomState * 747796405u + 2891336453u;
-    tree.randomState = state;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    word = (word >> 22u) ^ word;
-    return float(word >> 8u) * (1.0f / 16777216.0f);
+    tree.decisions = tree.decisions + 1u;
+    uint seed = mixedBits(tree.seed + tree.decisions * 0x9e3779b9u);
+    uint place = owenScrambled(tree.index, seed);
+    return float(owenScrambledReverse(place, mixedBits(seed)) >> 8u) * (1.0f / 16777216.0f);
 }
 
 /// Ends the current branch, and the tree if no other waits.

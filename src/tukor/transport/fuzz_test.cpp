@@ -80,7 +80,7 @@ TransportSettings randomSettings(RandomWorlds& random) {
     s.rayBudget = 1 << random.integer(0, 8);
     s.maxDepth = 1 << random.integer(0, 6);
     s.weightCutoff = random.integer(0, 1) ? 0.0f : std::exp(random.uniform(-9.0f, -1.0f));
-    s.splitWeight = random.integer(0, 1) ? 0.0f : random.uniform(0.0f, 1.0f);
+    s.splitGain = random.integer(0, 1) ? 0.0f : random.uniform(0.0f, 1.0f);
     return s;
 }
 

@@ -42,7 +42,7 @@ void main() {
     settings.rayBudget = 16;
     settings.maxDepth = 8;
     settings.weightCutoff = 1e-2;
-    settings.splitWeight = 0.0;
+    settings.splitGain = 0.0;
 
     Branch ray;
     ray.origin = vec3(0.0, 1.0, 0.0);
@@ -53,7 +53,7 @@ void main() {
     ray.skip = -1;
     ray.depth = 0;
 
-    Tree tree = startTree(ray, 1u);
+    Tree tree = startTree(ray, 1u, 0u);
     vec3 L = vec3(0.0);
     while (tree.alive) {
         Deposits deposits;

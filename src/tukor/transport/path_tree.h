@@ -1,7 +1,7 @@
 // What light does after it met the first surface: the tree of reflections and refractions, one
 // event at a time. Shared source, and a state machine: the host owns the loop.
 //
-//     Tree tree = startTree(cameraRay, seed);
+//     Tree tree = startTree(cameraRay, seed, index);
 //     while (tree.alive) {
 //         if (spent(tree, settings))       deposits = cutBranch(tree);
 //         else {
@@ -40,9 +40,23 @@ struct TransportSettings {
     int rayBudget;       // rays that one tree may trace
     int maxDepth;        // events along one branch
     float weightCutoff;  // branches lighter than this become a look-up
-    float splitWeight;   // of branches lighter than this one child is followed, chosen by chance
-                         // with its share as the probability, weight unchanged; 0: always both
+    float splitGain;     // see followsBoth(); 0: always both
 };
+
+/// The first rays of a tree are its heaviest, and of simple shapes all that matter: there both
+/// children are followed for a smaller gain, too.
+TUKOR_CONST int kFirstRays = 10;
+TUKOR_CONST float kLeastGain = 1e-6f;
+
+/// Whether both children of a branch of that `weight` are worth their rays, of which the first is
+/// reflected, with the share R. Otherwise one is chosen by chance, with its share as the
+/// probability and unchanged weight. The variance that adds is weight^2 R T times the squared
+/// difference of what the two show; the rays that saves are those of the other, which chance
+/// would follow with the probability of its share: the gain of a ray is weight^2 min(R, T).
+TUKOR_FN bool followsBoth(float weight, float R, int rays, float splitGain) {
+    float least = rays < kFirstRays ? min(splitGain, kLeastGain) : splitGain;
+    return weight * weight * min(R, 1.0f - R) >= least;
+}
 
 /// A surface in the sense of the ray, and the media on both sides of it.
 struct Encounter {
@@ -195,7 +209,7 @@ TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met,
     Deposits deposits = noDeposits();
     if (s.T <= 0.0f) {
         tree.branch = reflectedBranch(at, change, met, s);
-    } else if (heaviness(at.throughput) < settings.splitWeight) {
+    } else if (!followsBoth(heaviness(at.throughput), s.R.x, tree.rays, settings.splitGain)) {
         bool reflects = nextRandom(tree) < s.R.x;
         s.R = vec3(1.0f);
         s.T = 1.0f;

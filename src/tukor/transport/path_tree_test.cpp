@@ -212,7 +212,7 @@ TEST(PathTree, FollowingOneBranchByChanceHasTheMeanOfTheTree) {
     settings.weightCutoff = 1e-7f;
     glm::dvec3 tree = sum(1u, total);
     settings.weightCutoff = 0.0f;
-    settings.splitWeight = 0.5f;
+    settings.splitGain = 0.5f;
     glm::dvec3 mean(0.0), square(0.0);
     const int n = 20000;
     for (int i = 0; i < n; ++i) {
@@ -225,6 +225,28 @@ TEST(PathTree, FollowingOneBranchByChanceHasTheMeanOfTheTree) {
     for (int c = 0; c < 3; ++c) {  // four standard errors
         double deviation = std::sqrt(std::max(square[c] - mean[c] * mean[c], 0.0) / n);
         EXPECT_NEAR(mean[c], tree[c], 4.0 * deviation + 1e-5);
+    }
+}
+
+TEST(PathTree, BothChildrenAreFollowedWhereThatGainsMore) {
+    EXPECT_TRUE(followsBoth(1.0f, 0.04f, 1, 0.01f));
+    EXPECT_TRUE(followsBoth(1e-6f, 0.04f, 100, 0.0f)) << "always at 0";
+    EXPECT_TRUE(followsBoth(0.04f, 0.04f, 5, 0.01f)) << "among the first rays";
+    EXPECT_FALSE(followsBoth(0.04f, 0.04f, 50, 0.01f));
+    EXPECT_FALSE(followsBoth(1.0f, 0.001f, 50, 0.01f));
+    EXPECT_FALSE(followsBoth(1.0f, 0.999f, 50, 0.01f));
+}
+
+TEST(PathTree, ChanceIsSpreadEvenlyOverTreesOfOneSeed) {
+    for (uint seed = 0; seed < 100u; ++seed) {
+        int first = 0, second = 0;
+        for (uint index = 0; index < 64u; ++index) {
+            Tree tree = startTree(testRay(vec3(0.0f), vec3(0, 0, 1)), seed, index);
+            first += nextRandom(tree) < 0.25f;
+            second += nextRandom(tree) < 0.25f;
+        }
+        EXPECT_EQ(first, 16);
+        EXPECT_EQ(second, 16);
     }
 }
 

@@ -94,7 +94,7 @@ struct TestWorld {
     /// Traces the whole tree from a ray; `look(Deposit)` is called for every look-up.
     template <class Look>
     Tree trace(const Branch& ray, const TransportSettings& settings, uint seed, Look&& look) const {
-        Tree tree = startTree(ray, seed);
+        Tree tree = startTree(ray, seed, 0u);
         while (tree.alive) {
             Deposits deposits;
             if (spent(tree, settings)) {
@@ -149,7 +149,7 @@ private:
     s.rayBudget = 128;
     s.maxDepth = 64;
     s.weightCutoff = 1e-3f;
-    s.splitWeight = 0.0f;
+    s.splitGain = 0.0f;
     return s;
 }
 

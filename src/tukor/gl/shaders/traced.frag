@@ -176,7 +176,7 @@ void main() {
     settings.rayBudget = rayBudget;
     settings.maxDepth = maxDepth;
     settings.weightCutoff = weightCutoff;
-    settings.splitWeight = 0.0;  // every branch in full: no noise
+    settings.splitGain = 0.0;  // every branch in full: no noise
 
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 place = topLeft + ivec2(pixel.x, windowSize.y - 1 - pixel.y);
@@ -184,7 +184,7 @@ void main() {
     vec2 jitter = centred ? vec2(0.5) : widePixelSample(seed, frame, footprintScale);
     seed = sampleSeed(seed, frame);
 
-    Tree tree = startTree(cameraRay(pixel, jitter, footprintScale), seed);
+    Tree tree = startTree(cameraRay(pixel, jitter, footprintScale), seed, 0u);
     int finer = 0;  // samples of the kFinerSamples that take the place of this one, if it grazes
     float weight = 1.0;
     Rounding rounding = exactSoFar();
@@ -200,7 +200,7 @@ void main() {
             happened += vec4(float(tree.rays), float(tree.leaks), float(tree.inconsistencies), float(tree.truncated));
             if (weight == 1.0 || finer == kFinerSamples) break;
             tree = startTree(cameraRay(pixel, jitter + footprintScale * finerSample(seed, uint(finer)), kFinerWidth * footprintScale),
-                             sampleSeed(seed, uint(finer)));
+                             seed, uint(finer));
             finer++;
             rounding = exactSoFar();
             direct = true;
