@@ -99,16 +99,16 @@ TEST(Sampler, PrefixesAreStratified) {
     }
 }
 
-TEST(Sampler, WideSamplesStayWithinTheirPixel) {
+TEST(Sampler, WideSamplesAreCutOffAtTheEdgesOfTheirPixel) {
     for (const float width : {0.05f, 0.35f, 0.7f}) {
         for (std::uint32_t i = 0; i < 256; ++i) {
-            const glm::vec2 p = transport::widePixelSample(7u, i, width);
-            const glm::vec2 narrow = transport::pixelSample(7u, i);
+            const transport::PixelPart part = transport::pixelPart(7u, i, width);
+            const glm::vec2 at = transport::pixelSample(7u, i);
             for (int axis = 0; axis < 2; ++axis) {
-                EXPECT_GE(p[axis], 0.5f * width);
-                EXPECT_LE(p[axis], 1.0f - 0.5f * width);
-                EXPECT_LE(std::abs(p[axis] - narrow[axis]),
-                          0.5f * width);  // no farther than need be
+                const float least = part.middle[axis] - 0.5f * part.size[axis];
+                const float most = part.middle[axis] + 0.5f * part.size[axis];
+                EXPECT_NEAR(least, std::max(at[axis] - 0.5f * width, 0.0f), 1e-6f);
+                EXPECT_NEAR(most, std::min(at[axis] + 0.5f * width, 1.0f), 1e-6f);
             }
         }
     }
@@ -213,9 +213,9 @@ Image traced(const SurfaceTable& surfaces) {
     std::vector<PixelSum> sums(48 * 32);
     std::vector<CameraSample> samples;
     for (int i = 0; i < 48 * 32; ++i) {
-        samples.push_back({float(i % 48) + 0.5f, float(i / 48) + 0.5f, i, 1u});
+        samples.push_back({glm::vec2(i % 48, i / 48) + 0.5f, glm::vec2(1.0f), i, 1u});
     }
-    pool.trace(samples, 1.0f, sums);
+    pool.trace(samples, sums);
     EXPECT_EQ(pool.counts().leaks, 0u);
     EXPECT_EQ(pool.counts().inconsistencies, 0u);
     Image image(48, 32);

@@ -92,9 +92,8 @@ void Passes::tile(int number) {
     std::vector<PixelSum> sums(jobs.size());
     std::vector<CameraSample> batch;
     batch.reserve(kBatch);
-    float scale = 1.0f;
     const auto flush = [&] {
-        pool->trace(batch, scale, sums);
+        pool->trace(batch, sums);
         batch.clear();
     };
     std::uint64_t samples = 0;
@@ -105,14 +104,13 @@ void Passes::tile(int number) {
         // Pictures of fixed samples are as sharp as these allow; otherwise at least as four do.
         const std::uint32_t density =
             goals_.error || goals_.timeSeconds ? std::max(job.to, 4u) : goals_.samples;
-        const float jobScale = kFootprint / std::sqrt(static_cast<float>(density));
-        if (jobScale != scale && !batch.empty()) flush();
-        scale = jobScale;
+        const float width = kFootprint / std::sqrt(static_cast<float>(density));
         for (std::uint32_t s = job.from; s < job.to; ++s) {
-            const glm::vec2 place =
-                goals_.samples == 1 ? glm::vec2(0.5f) : transport::widePixelSample(seed, s, scale);
-            batch.push_back({static_cast<float>(job.x) + place.x,
-                             static_cast<float>(job.y) + place.y,
+            const transport::PixelPart part =
+                goals_.samples == 1 ? transport::PixelPart{glm::vec2(0.5f), glm::vec2(width)}
+                                    : transport::pixelPart(seed, s, width);
+            batch.push_back({glm::vec2(job.x, job.y) + part.middle,
+                             part.size,
                              static_cast<int>(i),
                              transport::sampleSeed(seed, s),
                              {seed, s}});

@@ -39,22 +39,21 @@ PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {
     owed_.reserve(LookUpBatch::kRoom);
 }
 
-transport::Branch PathPool::cameraBranch(const CameraSample& sample,
-                                         float footprintScale) const noexcept {
-    const glm::vec3 direction = frame_.camera.direction(sample.x, sample.y);
+transport::Branch PathPool::cameraBranch(const CameraSample& sample) const noexcept {
+    const glm::vec3 direction = frame_.camera.direction(sample.middle.x, sample.middle.y);
     transport::Branch ray;
     ray.origin = frame_.camera.eye;
     ray.direction = glm::normalize(direction);
     ray.throughput = glm::vec3(1.0f);
-    ray.footprint = transport::cameraFootprint(direction, frame_.camera.perColumn * footprintScale,
-                                               frame_.camera.perRow * footprintScale);
+    ray.footprint = transport::cameraFootprint(direction, frame_.camera.perColumn * sample.size.x,
+                                               frame_.camera.perRow * sample.size.y);
     ray.media = frame_.eyeMedia;
     ray.skip = -1;
     ray.depth = 0;
     return ray;
 }
 
-void PathPool::castCameraRays(float footprintScale) {
+void PathPool::castCameraRays() {
     const std::span<const CameraSample> samples = samples_;
     firstHits_.clear();
     RayPacket packet;
@@ -64,7 +63,8 @@ void PathPool::castCameraRays(float footprintScale) {
             static_cast<int>(std::min<std::size_t>(kPacketWidth, samples.size() - begin));
         for (int i = 0; i < count; ++i) {
             const CameraSample& s = samples[begin + static_cast<std::size_t>(i)];
-            packet.set(i, frame_.camera.eye, glm::normalize(frame_.camera.direction(s.x, s.y)), -1);
+            packet.set(i, frame_.camera.eye,
+                       glm::normalize(frame_.camera.direction(s.middle.x, s.middle.y)), -1);
         }
         frame_.caster.cast(packet, count, Coherence::rays, hits);
         for (int i = 0; i < count; ++i) {
@@ -79,7 +79,7 @@ void PathPool::castCameraRays(float footprintScale) {
             PixelSum& sum = sums_[static_cast<std::size_t>(target)];
             sum.rays += 1.0f;
             if (!frame_.background) continue;
-            const transport::Branch ray = cameraBranch(samples[sample], footprintScale);
+            const transport::Branch ray = cameraBranch(samples[sample]);
             const float solidAngle = transport::footprintSolidAngle(ray.footprint);
             if (frame_.backdrop) {
                 sum.radiance += weight * frame_.backdrop->radiance(ray.direction, solidAngle);
@@ -221,7 +221,7 @@ void PathPool::finish(const Path& path) noexcept {
     counts_.truncated += static_cast<std::uint64_t>(path.tree.truncated);
 }
 
-std::vector<CameraSample> PathPool::splitGrazing(float footprintScale) const {
+std::vector<CameraSample> PathPool::splitGrazing() const {
     std::vector<CameraSample> finer;
     finer.reserve(grazing_.size() * transport::kFinerSamples);
     for (const std::uint32_t number : grazing_) {
@@ -229,8 +229,8 @@ std::vector<CameraSample> PathPool::splitGrazing(float footprintScale) const {
         for (std::uint32_t i = 0; i < transport::kFinerSamples; ++i) {
             const glm::vec2 place = transport::finerSample(sample.seed, i);
             CameraSample& one = finer.emplace_back(sample);
-            one.x += footprintScale * place.x;
-            one.y += footprintScale * place.y;
+            one.middle += sample.size * place;
+            one.size *= transport::kFinerWidth;
             one.sampler = {sample.seed, i};
             one.weight = sample.weight / static_cast<float>(transport::kFinerSamples);
         }
@@ -238,24 +238,23 @@ std::vector<CameraSample> PathPool::splitGrazing(float footprintScale) const {
     return finer;
 }
 
-void PathPool::trace(std::span<const CameraSample> samples, float footprintScale,
-                     std::span<PixelSum> sums) {
+void PathPool::trace(std::span<const CameraSample> samples, std::span<PixelSum> sums) {
     samples_ = samples;
     sums_ = sums;
     splits_ = frame_.splitGrazing;
-    traceConsistently(footprintScale);
+    traceConsistently();
     if (grazing_.empty()) return;
-    const std::vector<CameraSample> finer = splitGrazing(footprintScale);
+    const std::vector<CameraSample> finer = splitGrazing();
     grazing_.clear();
     splits_ = false;
     samples_ = finer;
-    traceConsistently(footprintScale * transport::kFinerWidth);
+    traceConsistently();
 }
 
-void PathPool::traceConsistently(float footprintScale) {
+void PathPool::traceConsistently() {
     faulty_.clear();
     retakes_ = frame_.retakeFaulty;
-    traceAll(footprintScale);
+    traceAll();
     retakes_ = false;
     if (faulty_.empty() || faulty_.size() > 1 + samples_.size() / kSamplesPerFault) return;
     std::vector<CameraSample> again;
@@ -265,7 +264,7 @@ void PathPool::traceConsistently(float footprintScale) {
     // The same once more, to be taken from the sums, and from what was counted but for rays.
     for (CameraSample& one : again) one.weight = -one.weight;
     const TraceCounts before = counts_;
-    traceAll(footprintScale);
+    traceAll();
     const auto takeBack = [](std::uint64_t& now, std::uint64_t then) {
         now = then - std::min(then, now - then);
     };
@@ -274,16 +273,15 @@ void PathPool::traceConsistently(float footprintScale) {
     takeBack(counts_.truncated, before.truncated);
     for (CameraSample& one : again) {
         one.weight = -one.weight;
-        one.x += kAside * footprintScale;
-        one.y += kAside * footprintScale;
+        one.middle += kAside * one.size;
     }
-    traceAll(footprintScale);
+    traceAll();
     samples_ = samples;
     splits_ = splits;
 }
 
-void PathPool::traceAll(float footprintScale) {
-    castCameraRays(footprintScale);
+void PathPool::traceAll() {
+    castCameraRays();
 
     // live[0 .. alive) number the paths under way, the rest of it those that are free.
     std::array<std::uint8_t, kPaths> live;
@@ -295,8 +293,8 @@ void PathPool::traceAll(float footprintScale) {
             const FirstHit& first = firstHits_[next++];
             const CameraSample& sample = samples_[first.sample];
             Path& path = paths_[live[alive]];
-            path.tree = transport::startTree(cameraBranch(sample, footprintScale),
-                                             sample.sampler.pixelSeed, sample.sampler.index);
+            path.tree = transport::startTree(cameraBranch(sample), sample.sampler.pixelSeed,
+                                             sample.sampler.index);
             path.radiance = glm::vec3(0.0f);
             path.sample = first.sample;
             path.tree.rays = 1;

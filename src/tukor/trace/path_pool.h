@@ -10,11 +10,11 @@
 
 namespace tukor::trace {
 
-/// A place in the picture from which light is asked for.
+/// A part of the picture whose light is asked for.
 struct CameraSample {
-    float x;     // pixels from the left edge
-    float y;     // pixels from the top edge
-    int target;  // index of the sum it counts in
+    glm::vec2 middle;  // pixels from the top-left corner
+    glm::vec2 size;    // likewise
+    int target;        // index of the sum it counts in
     std::uint32_t seed;
     PathSampler sampler{};
     float weight = 1.0f;
@@ -45,10 +45,8 @@ class PathPool {
 public:
     explicit PathPool(const Frame& frame);
 
-    /// Adds the light of every sample to its sum. `footprintScale` is the distance of neighbouring
-    /// samples in pixels.
-    void trace(std::span<const CameraSample> samples, float footprintScale,
-               std::span<PixelSum> sums);
+    /// Adds the light of every sample to its sum.
+    void trace(std::span<const CameraSample> samples, std::span<PixelSum> sums);
 
     [[nodiscard]] const TraceCounts& counts() const noexcept { return counts_; }
 
@@ -73,12 +71,11 @@ private:
         int lookUps;
     };
 
-    void traceAll(float footprintScale);
+    void traceAll();
     /// Traces all, and what was faulty again, elsewhere.
-    void traceConsistently(float footprintScale);
-    void castCameraRays(float footprintScale);
-    [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
-                                                 float footprintScale) const noexcept;
+    void traceConsistently();
+    void castCameraRays();
+    [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample) const noexcept;
     void meet(Path& path, RayHit hit) noexcept;
     /// Light that meets a surface of something that disperses it goes on as that of one wavelength.
     void disperse(Path& path, const transport::Encounter& met) const noexcept;
@@ -95,7 +92,7 @@ private:
     [[nodiscard]] bool wantsRay(Path& path) noexcept;
     void finish(const Path& path) noexcept;
     /// In place of the samples that graze curved surfaces, 16 in the square of each.
-    [[nodiscard]] std::vector<CameraSample> splitGrazing(float footprintScale) const;
+    [[nodiscard]] std::vector<CameraSample> splitGrazing() const;
 
     const Frame& frame_;
     std::span<const CameraSample> samples_;  // those under way

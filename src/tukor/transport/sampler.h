@@ -59,10 +59,22 @@ TUKOR_FN vec2 pixelSample(uint seed, uint index) {
     return vec2(float(x >> 8u) * scale, float(y >> 8u) * scale);
 }
 
-/// The same for a sample that is `width` of the pixel wide: moved inwards where it would reach
-/// beyond the pixel. A lamp just outside it would shine into it otherwise.
-TUKOR_FN vec2 widePixelSample(uint seed, uint index, float width) {
-    return clamp(pixelSample(seed, index), vec2(0.5f * width), vec2(1.0f - 0.5f * width));
+/// What a sample of a pixel stands for, in pixels from its top-left corner.
+struct PixelPart {
+    vec2 middle;
+    vec2 size;
+};
+
+/// The square of that `width` about sample `index`, cut off at the pixel's edges: a lamp just
+/// outside of it would shine into it otherwise.
+TUKOR_FN PixelPart pixelPart(uint seed, uint index, float width) {
+    vec2 at = pixelSample(seed, index);
+    vec2 least = max(at - vec2(0.5f * width), vec2(0.0f));
+    vec2 most = min(at + vec2(0.5f * width), vec2(1.0f));
+    PixelPart part;
+    part.middle = 0.5f * (least + most);
+    part.size = most - least;
+    return part;
 }
 
 /// What chance does along the light path of a sample: see startTree.

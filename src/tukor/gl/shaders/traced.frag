@@ -155,14 +155,14 @@ vec3 radianceOf(Deposit deposit) {
     return deposit.throughput * sum / float(l.across * l.down);
 }
 
-// Through the point of the pixel that is `jitter` from its top-left corner; `width` is the distance of neighbouring samples.
-Branch cameraRay(ivec2 pixel, vec2 jitter, float width) {
-    vec3 d = rayCorner + (float(pixel.x) + jitter.x) * rayPerColumn + (float(pixel.y) + 1.0 - jitter.y) * rayPerRow;
+// Through the middle of a part of that pixel, and as wide.
+Branch cameraRay(ivec2 pixel, PixelPart part) {
+    vec3 d = rayCorner + (float(pixel.x) + part.middle.x) * rayPerColumn + (float(pixel.y) + 1.0 - part.middle.y) * rayPerRow;
     Branch ray;
     ray.origin = eye;
     ray.direction = normalize(d);
     ray.throughput = vec3(1.0);
-    ray.footprint = cameraFootprint(d, width * rayPerColumn, width * rayPerRow);
+    ray.footprint = cameraFootprint(d, part.size.x * rayPerColumn, part.size.y * rayPerRow);
     ray.media = eyeMedia;
     ray.skip = -1;
     ray.depth = 0;
@@ -181,10 +181,11 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     ivec2 place = topLeft + ivec2(pixel.x, windowSize.y - 1 - pixel.y);
     uint seed = pixelSeed(uint(place.y * pictureWidth + place.x), pictureSeed);
-    vec2 jitter = centred ? vec2(0.5) : widePixelSample(seed, frame, footprintScale);
+    PixelPart part = pixelPart(seed, frame, footprintScale);
+    if (centred) part = PixelPart(vec2(0.5), vec2(footprintScale));
     seed = sampleSeed(seed, frame);
 
-    Tree tree = startTree(cameraRay(pixel, jitter, footprintScale), seed, 0u);
+    Tree tree = startTree(cameraRay(pixel, part), seed, 0u);
     int finer = 0;  // samples of the kFinerSamples that take the place of this one, if it grazes
     float weight = 1.0;
     Rounding rounding = exactSoFar();
@@ -199,8 +200,8 @@ void main() {
         if (!tree.alive) {
             happened += vec4(float(tree.rays), float(tree.leaks), float(tree.inconsistencies), float(tree.truncated));
             if (weight == 1.0 || finer == kFinerSamples) break;
-            tree = startTree(cameraRay(pixel, jitter + footprintScale * finerSample(seed, uint(finer)), kFinerWidth * footprintScale),
-                             seed, uint(finer));
+            PixelPart finerPart = PixelPart(part.middle + part.size * finerSample(seed, uint(finer)), kFinerWidth * part.size);
+            tree = startTree(cameraRay(pixel, finerPart), seed, uint(finer));
             finer++;
             rounding = exactSoFar();
             direct = true;
