@@ -12,7 +12,7 @@ import sys
 import scenes
 from curves import cpu_at, figure, svg
 
-ERRORS, SAMPLES = "6,3,1.5,0.75", "4,16,64"
+ERRORS, SAMPLES = "6,3,1.5,0.75,0.5", "4,16,64"
 
 
 def measure(scene, map_name, args):
@@ -27,7 +27,7 @@ def measure(scene, map_name, args):
     curves = {}
     for (name, (cpu, _)), error in zip(peers + ours, errors):
         curves.setdefault(name, []).append((cpu, *error))
-    promised = [(e, float(scenes.header_text(picture, "expected-rmse") or "nan"), error[2])
+    promised = [(e, float(scenes.header_text(picture, "expected-rmse") or "nan"), max(error[2] ** 2 - noise[2] ** 2, 0.0) ** 0.5)
                 for e, (_, (_, picture)), error in zip(args.errors.split(","), ours, errors[len(peers):])]
     cycles = [sum(column) / 2 for column in zip(*curves["Cycles"][:2])]  # two seeds at 256 samples
     curves["Cycles"][:2] = [tuple(cycles)]
@@ -60,7 +60,7 @@ def main():
     parser.add_argument("--maps", default=",".join(scenes.MAPS))
     parser.add_argument("--errors", default=ERRORS, help="points of the curve of --error")
     parser.add_argument("--samples", default=SAMPLES, help="points of the curve of --samples")
-    parser.add_argument("--reference", type=int, default=128, help="least samples a pixel of each of the two pictures that make a reference")
+    parser.add_argument("--reference", type=int, default=1024, help="least samples a pixel of each of the two pictures that make a reference")
     parser.add_argument("--peers-again", action="store_true", help="render the peers' pictures again, not only tukor's")
     parser.add_argument("--povray", action="store_true", help="measure POV-Ray, too; it takes long")
     parser.add_argument("--no-write", action="store_true", help="print only")
@@ -99,8 +99,7 @@ alone, 480x270, one thread each, under `forest` (a photograph), `city` (a photog
 and POV-Ray, of the render and of the whole process for Cycles (Debian's Blender 3.4). Gold is a tint of 1, 0.77, 0.34, which all renderers have.
 
 RMSE is that of radiance; relative MSE the mean of (a - b)^2 / (b^2 + 0.01); sRGB the RMSE in codes of 8-bit sRGB. The reference is the mean of two
-pictures of trace at {reference} samples a pixel or more; its noise is half their distance; that its footprints blur it like one of so many samples is not in that, and is
-part of what `--error` below 1 is measured to be off. *Common* is the root of the mean product of the errors of two renders
+pictures of trace at {reference} samples a pixel or more, with seeds of their own; its noise is half their distance. *Common* is the root of the mean product of the errors of two renders
 of Cycles with different seeds: what Cycles' limit and the reference do not share, with the reference's noise in it. Where it is near Cycles' error, most of
 that is no noise, and comparing at equal error flatters tukor; so the last column but three compares the noise alone: that of Cycles, and what `--error` reports.
 tukor's times are of `--error`, or of `--samples` where that curve does not reach the error: CPU seconds, and in brackets how many times those of Cycles are, without
@@ -113,7 +112,7 @@ what comes before rendering (*start*: one sample of 16x9 pixels) and of the whol
 ![error over CPU time](offline.svg)
 
 ## What `--error` promises
-Reported / true RMSE in 8-bit sRGB, the reference's noise not taken off.
+Reported / true RMSE in 8-bit sRGB; true is the distance from the reference, the square of its noise taken off that of the distance.
 
 | scene | environment | {asked} |
 |---|---|{bars}
