@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/test_folder.h"
 
 namespace tukor {
 namespace {
@@ -20,24 +20,19 @@ using testing::ThrowsMessage;
 
 class FileTest : public testing::Test {
 protected:
-    FileTest() : folder_(fs::path(testing::TempDir()) / ("file_test_" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~FileTest() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] fs::path in(const char* name) const { return folder_ / name; }
+    [[nodiscard]] fs::path in(const char* name) const { return folder_.path(name); }
     [[nodiscard]] static std::string text(const fs::path& path) {
         const auto bytes = readFile(path);
         return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     }
     [[nodiscard]] int entries() const {
         int count = 0;
-        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
+        for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_.path())) ++count;
         return count;
     }
 
 private:
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 TEST_F(FileTest, ReadsBackWhatItWrote) {

@@ -1,6 +1,5 @@
 #include "tukor/environment/environment.h"
 
-#include <filesystem>
 #include <limits>
 
 #include <fmt/format.h>
@@ -8,32 +7,20 @@
 #include <gtest/gtest.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/image/image_file.h"
 
 namespace tukor {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 
-/// A folder of its own for each test, removed with it.
 class LoadEnvironment : public testing::Test {
 protected:
-    LoadEnvironment()
-        : folder_(fs::temp_directory_path() /
-                  fmt::format("tukor_environment_{}_{}",
-                              testing::UnitTest::GetInstance()->current_test_info()->name(),
-                              testing::UnitTest::GetInstance()->random_seed())) {
-        fs::create_directories(folder_);
-    }
-    ~LoadEnvironment() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] std::string path(const std::string& name) const {
-        return (folder_ / name).string();
-    }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.path(name); }
 
     void save(const std::string& name, int width, int height, glm::vec3 colour) const {
         Image image(width, height);
@@ -52,7 +39,7 @@ protected:
     }
 
 private:
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 TEST_F(LoadEnvironment, MakesTheBuiltInsAtTheFaceSizeAsked) {

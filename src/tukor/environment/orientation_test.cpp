@@ -4,22 +4,19 @@
 #include "tukor/environment/orientation.h"
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
-#include <random>
 
 #include <OpenEXR/ImfEnvmap.h>
 #include <gtest/gtest.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/panorama.h"
 
 namespace tukor {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
@@ -121,16 +118,7 @@ glm::vec3 seenAt(Orientation program, CubePoint point) {
 
 class Oriented : public testing::TestWithParam<Orientation> {
 protected:
-    Oriented()
-        : folder_(fs::temp_directory_path() /
-                  ("tukor_oriented_" + std::to_string(std::random_device{}()))) {
-        fs::create_directories(folder_);
-    }
-    ~Oriented() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] std::string path(const std::string& name) const {
-        return (folder_ / name).string();
-    }
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_.path(name); }
 
     /// Saves for the program and gives what is in the file, without asking for its orientation.
     WorkSource stored(const WorkSource& world, const std::string& name, PictureForm form) const {
@@ -141,7 +129,7 @@ protected:
     }
 
 private:
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 constexpr std::pair<PictureForm, const char*> kCubeFiles[] = {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/equirect.h"
@@ -120,17 +121,14 @@ TEST(GrownPanorama, StopsWhenAsked) {
 TEST(StoppedWork, LeavesNothingBehind) {
     WorkSource source;
     source.cube = CubeMap(16);
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / "tukor_stopped_test";
-    std::filesystem::create_directories(folder);
+    const TestFolder folder;
     for (const char* name : {"face_{}.exr", "cube.ktx2"})
-        EXPECT_FALSE(saveWork((folder / name).string(), source, {.form = PictureForm::faces},
+        EXPECT_FALSE(saveWork(folder.path(name), source, {.form = PictureForm::faces},
                               [](float fraction) { return fraction < 0.5f; }))
             << name;
-    EXPECT_FALSE(saveWork((folder / "panorama.exr").string(), source, {},
+    EXPECT_FALSE(saveWork(folder.path("panorama.exr"), source, {},
                           [](float fraction) { return fraction < 0.3f; }));
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
-    std::filesystem::remove_all(folder);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 }  // namespace

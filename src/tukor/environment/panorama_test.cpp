@@ -1,7 +1,6 @@
 #include "tukor/environment/panorama.h"
 
 #include <cmath>
-#include <filesystem>
 #include <random>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/environment_info.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/equirect.h"
@@ -126,9 +126,7 @@ TEST(SaveWork, SaysWhatDoesNotSuit) {
 }
 
 TEST(SaveWork, WritesWhatLoadWorkSourceReads) {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "tukor_panorama_test";
-    fs::create_directories(folder);
+    const TestFolder folder;
     const std::pair<PictureForm, const char*> forms[] = {
         {PictureForm::equirect, "equirect.exr"}, {PictureForm::faces, "face_{}.exr"},
         {PictureForm::hcross, "hcross.exr"},     {PictureForm::vcross, "vcross.exr"},
@@ -137,7 +135,7 @@ TEST(SaveWork, WritesWhatLoadWorkSourceReads) {
     for (const auto& [form, name] : forms) {
         WorkSource source;
         source.cube = landscapeCube(32);
-        const std::string path = (folder / name).string();
+        const std::string path = folder.path(name);
         saveWork(path, source,
                  {form, form == PictureForm::ball ? std::optional<int>(256) : std::nullopt});
         WorkSource back = loadWorkSource(path, form);
@@ -145,13 +143,12 @@ TEST(SaveWork, WritesWhatLoadWorkSourceReads) {
         for (const glm::vec3 d : kDirections)
             EXPECT_LT(glm::length(equirectRadiance(panorama, d) - landscape(d)), 0.04f) << name;
     }
-    EXPECT_THAT(describeWork(loadWorkSource((folder / "vcross.exr").string(), std::nullopt)),
+    EXPECT_THAT(describeWork(loadWorkSource(folder.path("vcross.exr"), std::nullopt)),
                 testing::HasSubstr("layout     vertical cross\nsize       96 x 128\n"));
     const Image sheet =
-        contactSheet(loadWorkSource((folder / "oct.exr").string(), PictureForm::octahedral));
+        contactSheet(loadWorkSource(folder.path("oct.exr"), PictureForm::octahedral));
     EXPECT_EQ(sheet.width(), 768);
     EXPECT_EQ(sheet.height(), 3 * 384 + 128);
-    fs::remove_all(folder);
 }
 
 TEST(SaveWork, BlursNoMoreThanPixelsDoWhereTexelsAreAsFine) {
@@ -163,11 +160,10 @@ TEST(SaveWork, BlursNoMoreThanPixelsDoWhereTexelsAreAsFine) {
     for (glm::vec3& pixel : image.pixels()) pixel = glm::vec3(even(random));
     WorkSource source;
     source.cube = cubeFromEquirect(image, 64);
-    const std::string path =
-        (std::filesystem::temp_directory_path() / "tukor_blurs_test.exr").string();
+    const TestFolder folder;
+    const std::string path = folder.path("a.exr");
     saveWork(path, source, {PictureForm::equirect, image.width()});
     const Image back = loadImage(path);
-    std::filesystem::remove(path);
     double sum = 0.0, weights = 0.0;
     for (int row = 0; row < image.height(); ++row)
         for (int column = 0; column < image.width(); ++column) {

@@ -1,19 +1,16 @@
 // Through every layout, file type and texel format and back: what is lost is the format's
 // precision.
 #include <cmath>
-#include <filesystem>
-#include <random>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/texture_chain.h"
 
 namespace tukor {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A file type with its options, and how far a value v of up to `most` may be from what was saved.
 struct Format {
@@ -90,19 +87,12 @@ CubeMap landscape(int faceSize) {
 
 class RoundTrip : public testing::TestWithParam<Format> {
 protected:
-    RoundTrip()
-        : folder_(fs::temp_directory_path() /
-                  fmt::format("tukor_round_trip_{}", std::random_device{}())) {
-        fs::create_directories(folder_);
-    }
-    ~RoundTrip() override { fs::remove_all(folder_); }
-
     /// Saves the cube in a layout, loads it, and compares texel by texel.
     void expectBack(const CubeMap& cube, PictureForm form, std::optional<int> size, float blur) {
         const Format& format = GetParam();
         const bool faces = form == PictureForm::faces && !format.isTexture();
         const std::string path =
-            (folder_ / fmt::format("a{}{}", faces ? "_{}" : "", format.extension)).string();
+            folder_.path(fmt::format("a{}{}", faces ? "_{}" : "", format.extension));
         WorkSource source;
         source.cube = cube;
         saveWork(path, source, {form, size, Orientation::opengl, format.picture, format.texture});
@@ -110,7 +100,7 @@ protected:
             loadWorkSource(path, format.isTexture() ? std::optional<PictureForm>() : form);
         EXPECT_TRUE(back.warnings.empty());
         if (!back.cube) {
-            const std::string again = (folder_ / "again_{}.exr").string();
+            const std::string again = folder_.path("again_{}.exr");
             saveWork(again, back, {PictureForm::faces, cube.faceSize()});
             back = loadWorkSource(again, PictureForm::faces);
         }
@@ -127,7 +117,7 @@ protected:
             }
     }
 
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 TEST_P(RoundTrip, BringsEveryLayoutBack) {
@@ -156,11 +146,8 @@ Image waves(int width) {
 }
 
 TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
-    const fs::path folder =
-        fs::temp_directory_path() / fmt::format("tukor_fine_faces_{}", std::random_device{}());
-    fs::create_directories(folder);
-    const std::string faces = (folder / "a_{}.exr").string();
-    const std::string panorama = (folder / "a.exr").string();
+    const TestFolder folder;
+    const std::string faces = folder.path("a_{}.exr"), panorama = folder.path("a.exr");
     const Image before = waves(48);
     WorkSource source;
     source.panorama = before;
@@ -171,33 +158,30 @@ TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {
         for (int column = 0; column < 48; ++column)
             EXPECT_NEAR(back.at(column, row).x, before.at(column, row).x, 0.02f)
                 << column << ", " << row;
-    fs::remove_all(folder);
 }
 
 TEST(RoundTripOctahedral, BringsAPanoramaBack) {
-    const fs::path path =
-        fs::temp_directory_path() / fmt::format("tukor_waves_{}.exr", std::random_device{}());
+    const TestFolder folder;
+    const std::string path = folder.path("a.exr");
     const Image before = waves(96);
     WorkSource source;
     source.panorama = before;
-    saveWork(path.string(), source, {PictureForm::octahedral, 96});
-    saveWork(path.string(), loadWorkSource(path.string(), PictureForm::octahedral),
-             {PictureForm::equirect, 96});
-    const Image back = loadPicture(path.string());
+    saveWork(path, source, {PictureForm::octahedral, 96});
+    saveWork(path, loadWorkSource(path, PictureForm::octahedral), {PictureForm::equirect, 96});
+    const Image back = loadPicture(path);
     for (int row = 8; row < 40; ++row)  // looked up twice between texels they lose a third
         for (int column = 0; column < 96; ++column)
             EXPECT_NEAR(back.at(column, row).x, before.at(column, row).x, 0.03f)
                 << column << ", " << row;
-    fs::remove(path);
 }
 
 TEST(RoundTripBall, BringsAllBackButWhatTheBallHides) {
-    const fs::path path = fs::temp_directory_path() /
-                          fmt::format("tukor_round_trip_ball_{}.exr", std::random_device{}());
+    const TestFolder folder;
+    const std::string path = folder.path("a.exr");
     WorkSource source;
     source.cube = landscape(32);
-    saveWork(path.string(), source, {PictureForm::ball, 512});
-    const WorkSource back = loadWorkSource(path.string(), PictureForm::ball);
+    saveWork(path, source, {PictureForm::ball, 512});
+    const WorkSource back = loadWorkSource(path, PictureForm::ball);
     for (int i = 0; i < 200; ++i) {
         const float y = 0.99f - 0.0099f * static_cast<float>(i), phi = 2.4f * static_cast<float>(i);
         const float across = std::sqrt(1 - y * y);
@@ -205,7 +189,6 @@ TEST(RoundTripBall, BringsAllBackButWhatTheBallHides) {
         if (d.z < -0.95f) continue;  // behind the ball: at its rim a pixel spans degrees
         EXPECT_LT(glm::length(back.cube->radiance(d) - source.cube->radiance(d)), 0.01f) << i;
     }
-    fs::remove(path);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "tukor/environment/texture_chain.h"
 
-#include <filesystem>
-
 #include <gtest/gtest.h>
 
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/environment.h"
 #include "tukor/environment/procedural.h"
@@ -31,14 +30,13 @@ TEST(TextureChain, BringsTheLevelsBack) {
 }
 
 TEST(TextureChain, IsReadAsAnEnvironment) {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / "tukor_texture_chain.ktx2";
+    const TestFolder folder;
+    const std::string path = folder.path("a.ktx2");
     const CubeMap cube = studioCube(16);
     saveTexture(path, textureFromCubes(std::span(&cube, 1)), {.texels = TexelFormat::rgba32f});
-    const Environment environment = loadEnvironment(path.string());
+    const Environment environment = loadEnvironment(path);
     EXPECT_EQ(environment.radiance.faceSize(), 16);
     EXPECT_EQ(environment.radiance.texels(CubeFace::negZ)[40], cube.texels(CubeFace::negZ)[40]);
-    std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -16,10 +16,10 @@
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/image/exr_file.h"
 
 namespace tukor {
@@ -31,14 +31,12 @@ using testing::ThrowsMessage;
 /// A file for the library to write and for us to read.
 class ExrRead : public testing::Test {
 protected:
-    ExrRead() : path_(testing::TempDir() + "exr_test_" + std::to_string(getpid()) + ".exr") {}
-    ~ExrRead() override { std::filesystem::remove(path_); }
-
     [[nodiscard]] const char* path() const { return path_.c_str(); }
     [[nodiscard]] Image read() const { return decodeExr(readFile(path_), "x.exr"); }
 
 private:
-    std::string path_;
+    TestFolder folder_;
+    std::string path_ = folder_.path("a.exr");
 };
 
 /// Smooth, exact in half precision, and different in every pixel and channel.

@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
-#include <unistd.h>
 
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/image/jpeg_file.h"
 
 namespace tukor {
@@ -20,15 +20,10 @@ using testing::ThrowsMessage;
 
 class ImageFile : public testing::Test {
 protected:
-    ImageFile() : folder_(fs::path(testing::TempDir()) / ("image_" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
-    ~ImageFile() override { fs::remove_all(folder_); }
-
-    [[nodiscard]] fs::path in(const std::string& name) const { return folder_ / name; }
+    [[nodiscard]] fs::path in(const std::string& name) const { return folder_.path(name); }
 
 private:
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 /// Smooth colours from 0 to 1.

@@ -5,10 +5,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/image/texel_format.h"
 #include "tukor/image/texture_file.h"
 
@@ -210,10 +210,10 @@ TEST(TextureFile, ReadsDdsWithoutTheNewHeader) {
 }
 
 TEST(TextureFile, GoesThroughFiles) {
-    const std::string path = testing::TempDir() + "texture_" + std::to_string(getpid()) + ".KTX2";
+    const TestFolder folder;
+    const std::string path = folder.path("a.KTX2");
     saveTexture(path, sample(4, 4, 6, 1));
     EXPECT_EQ(loadTexture(path).faces, 6);
-    std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tukor/base/file.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/scene/gltf_file.h"
 #include "tukor/scene/gltf_test_file.h"
 
@@ -180,17 +181,13 @@ TEST(GltfHostile, UnknownRequiredExtensionsAreNamed) {
 
 class GltfFolder : public testing::Test {
 protected:
-    GltfFolder()
-        : folder_(fs::path(testing::TempDir()) /
-                  testing::UnitTest::GetInstance()->current_test_info()->name()) {
-        fs::remove_all(folder_);
+    GltfFolder() {
         fs::create_directories(folder_ / "model" / "sub dir");
         const std::string secret(72, 's');
         writeFile(folder_ / "secret.bin", secret);
         fs::create_symlink(folder_ / "secret.bin", folder_ / "model" / "link.bin");
         fs::create_symlink(folder_, folder_ / "model" / "up");
     }
-    ~GltfFolder() override { fs::remove_all(folder_); }
 
     // The error for a model whose buffer has this URI.
     std::string errorFor(const std::string& uri) {
@@ -199,7 +196,8 @@ protected:
         return errorOf(text.substr(0, from) + uri + text.substr(to), folder_ / "model" / "a.gltf");
     }
 
-    fs::path folder_;
+    TestFolder own_;
+    const fs::path& folder_ = own_.path();
 };
 
 TEST_F(GltfFolder, FilesOutsideAreRefused) {

@@ -4,13 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tukor/base/file.h"
+#include "tukor/base/test_folder.h"
 #include "tukor/geometry/closedness.h"
 #include "tukor/geometry/sphere.h"
 #include "tukor/materials/materials.h"
@@ -20,7 +20,6 @@
 namespace tukor {
 namespace {
 
-namespace fs = std::filesystem;
 using test::Bytes;
 using test::messageOf;
 using testing::Contains;
@@ -43,17 +42,9 @@ std::string cubeObj() {
 
 class ModelFile : public testing::Test {
 protected:
-    ModelFile()
-        : folder_(fs::path(testing::TempDir()) /
-                  testing::UnitTest::GetInstance()->current_test_info()->name()) {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~ModelFile() override { fs::remove_all(folder_); }
-
     Scene load(const std::string& name, const std::string& text) {
-        writeFile(folder_ / name, text);
-        return loadModel((folder_ / name).string());
+        writeFile(folder_.path(name), text);
+        return loadModel(folder_.path(name));
     }
     std::string errorOf(const std::string& name, const std::string& text) {
         return messageOf([&] { (void)load(name, text); });
@@ -69,7 +60,7 @@ protected:
         EXPECT_THAT(scene.warnings, IsEmpty());
     }
 
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 TEST(LoadModel, KnowsTheBuiltInShapes) {
@@ -91,7 +82,7 @@ TEST(LoadModel, NamesTheShapesWhenThereIsNoSuchModel) {
 TEST_F(ModelFile, EmptyFoldersAndOtherThingsAreNoModels) {
     EXPECT_THAT(errorOf("a.obj", ""), EndsWith("a.obj: an empty file"));
     EXPECT_THAT(errorOf("a.xyz", "hello"), HasSubstr("not a model of a known format"));
-    EXPECT_THAT(messageOf([&] { (void)loadModel(folder_.string() + "/"); }), HasSubstr("folder"));
+    EXPECT_THAT(messageOf([&] { (void)loadModel(folder_.path("")); }), HasSubstr("folder"));
 }
 
 TEST_F(ModelFile, ObjPolygonsBecomeASolid) {
@@ -122,7 +113,7 @@ TEST_F(ModelFile, ObjCutsConcavePolygonsInside) {
 }
 
 TEST_F(ModelFile, ObjGroupsAndMaterialsBecomeParts) {
-    writeFile(folder_ / "a lib.mtl",
+    writeFile(folder_.path("a lib.mtl"),
               std::string_view("newmtl clear\nd 0.1\nNi 1.45\n"
                                "newmtl shiny\nKs 0.5 0.6 0.7\nillum 3\nNs 1e9\n"
                                "newmtl old gold\nPm 1\nPr 0\nKd 1 0.8 0.3\n"));
@@ -182,7 +173,7 @@ TEST_F(ModelFile, StlInBinaryIsWeldedEvenWhereItSaysSolid) {
     expectUnitCube(load("cube.stl", cubeStl("binary")));
     expectUnitCube(load("cube.stl", cubeStl("solid cube")));
     expectUnitCube(load("cube.stl", cubeStl("binary") + "something more"));
-    EXPECT_EQ(loadModel((folder_ / "cube.stl").string()).parts[0].name, "cube");
+    EXPECT_EQ(loadModel(folder_.path("cube.stl")).parts[0].name, "cube");
 }
 
 TEST_F(ModelFile, StlInText) {

@@ -1,0 +1,37 @@
+// A folder for the files of a test.
+#pragma once
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include <gtest/gtest.h>
+
+namespace tukor {
+
+/// Empty, of its own for each, and removed with all that is in it.
+class TestFolder {
+public:
+    TestFolder() {
+        std::string name = testing::TempDir() + "/tukor_XXXXXX";
+        if (!mkdtemp(name.data())) ADD_FAILURE() << name << " cannot be made";
+        path_ = name;
+    }
+    ~TestFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+    /// That of a file in it.
+    [[nodiscard]] std::string path(const std::string& name) const {
+        return (path_ / name).string();
+    }
+
+private:
+    std::filesystem::path path_;
+};
+
+}  // namespace tukor
