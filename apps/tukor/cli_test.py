@@ -5,13 +5,16 @@ usage: cli_test.py PROGRAM [NAME...]    NAME: only the tests whose names contain
 """
 import json
 import os
+import pty
+import re
 import signal
 import struct
 import subprocess
 import sys
-import tempfile
 import time
 import zlib
+
+import script_tests
 
 PROGRAM = os.path.abspath(sys.argv[1])
 
@@ -244,6 +247,25 @@ def test_interrupt_keeps_the_picture(folder):
     assert os.path.getsize(out) > 1000
 
 
+def test_progress_on_a_terminal(folder):
+    """One line, written over again and wiped away; nothing of it where standard error is no terminal."""
+    command = ["render", "torus-knot", "--size", "320x180", "--samples", "64", "-o", os.path.join(folder, "a.png")]
+    ours, theirs = pty.openpty()
+    process = subprocess.Popen([PROGRAM, *command], stderr=theirs, stdout=subprocess.DEVNULL)
+    os.close(theirs)
+    said = b""
+    try:
+        while piece := os.read(ours, 4096):
+            said += piece
+    except OSError:  # the other end is closed
+        pass
+    os.close(ours)
+    assert process.wait() == 0
+    assert re.search(rb"\r *\d+ %  \[#* *\]  [\d.]+ million rays a second", said), said[-500:]
+    assert b"\r\x1b[K" in said, said[-500:]
+    assert "%" not in run(*command)[1]
+
+
 def test_view_without_display(folder):
     environment = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
     result = subprocess.run([PROGRAM, "view", "sphere"], capture_output=True, text=True, env=environment, timeout=60)
@@ -305,21 +327,4 @@ def test_options_page(folder):
         assert file.read() == written, "docs/options.md is old: tukor markdown-options > docs/options.md"
 
 
-def main():
-    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
-    wanted = sys.argv[2:]
-    failed = 0
-    for name, test in tests.items():
-        if wanted and not any(word in name for word in wanted):
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                test(folder)
-                print(f"ok      {name}")
-            except AssertionError as error:
-                failed += 1
-                print(f"FAILED  {name}: {error}")
-    sys.exit(1 if failed else 0)
-
-
-main()
+script_tests.main(dict(globals()), sys.argv[2:])

@@ -9,8 +9,9 @@ import resource
 import struct
 import subprocess
 import sys
-import tempfile
 import zlib
+
+import script_tests
 
 PROGRAM = os.path.abspath(sys.argv[1])
 MEASURED = os.environ.get("TUKOR_SANITIZED") is None  # sanitizers have time and memory of their own
@@ -232,21 +233,4 @@ def test_models(folder):
                  "1", folder=folder)
 
 
-def main():
-    tests = {name: test for name, test in globals().items() if name.startswith("test_")}
-    wanted = sys.argv[2:]
-    failed = 0
-    for name, test in tests.items():
-        if wanted and not any(word in name for word in wanted):
-            continue
-        with tempfile.TemporaryDirectory() as folder:
-            try:
-                test(folder)
-                print(f"ok      {name}")
-            except AssertionError as error:
-                failed += 1
-                print(f"FAILED  {name}: {error}")
-    sys.exit(1 if failed else 0)
-
-
-main()
+script_tests.main(dict(globals()), sys.argv[2:])

@@ -26,7 +26,7 @@ public:
         if (rows_ == Rows::choices) return;
         const std::string label = labelOf(name);
         const auto [least, most] = measure.range;
-        if (name == "weight-cutoff") {  // small fractions matter as much as large ones
+        if (measure.byRatio) {
             ImGui::SliderFloat(label.c_str(), &value, least, most, "%.4f",
                                ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
         } else if (most - least <= 1000.0f) {  // a slider over more than that cannot be aimed

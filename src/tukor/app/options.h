@@ -30,6 +30,7 @@ template <class T>
 struct Measure {
     std::string_view unit;
     Range<T> range;
+    bool byRatio = false;  // small values matter as much as large ones
 };
 
 /// Pixels across and down.
@@ -221,7 +222,7 @@ void describe(Options& o, Visitor&& field) {
           "trace: the CPU; gl: OpenGL ES 3. By default trace for pictures, gl for the window");
     field("ray-budget", o.rayBudget, Measure<int>{"N", {1, 65536}},
           "rays that one camera ray may become at fidelity exact");
-    field("weight-cutoff", o.weightCutoff, Measure<float>{"X", {0.0f, 1.0f}},
+    field("weight-cutoff", o.weightCutoff, Measure<float>{"X", {0.0f, 1.0f}, true},
           "branches lighter than this become one look-up of the environment");
     field("max-depth", o.maxDepth, Measure<int>{"N", {1, 64}},
           "surfaces along one branch at fidelity exact");
