@@ -95,7 +95,7 @@ Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& 
                            : panoramaFromOctahedral(*source.square, to, progress);
     // Pixels are such that looking up between them gives what the cube map shows: a panorama that
     // was made into faces comes back.
-    return panoramaWithMeansOf(to < cube.faceSize() ? shrunkCube(cube, to) : cube, to, progress);
+    return panoramaWithMeansOf(cube, to, progress);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "tukor/environment/cube_function.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/grid_point.h"
+#include "tukor/environment/richardson.h"
 #include "tukor/environment/unblurred.h"
 
 namespace tukor {
@@ -92,40 +93,29 @@ std::optional<glm::vec3> directionFromBall(float u, float v) {
     return glm::vec3(2.0f * z * x, 2.0f * z * y, 2.0f * z * z - 1.0f);
 }
 
-/// The panorama of a square picture of the sphere: `place` is where in the picture a direction
-/// lies, `direction` the inverse, if any. Each step brings what the picture would be of the
-/// panorama nearer to what it is.
-Image approached(const Image& picture, int width, auto&& place, auto&& direction,
-                 const Progress& progress) {
-    constexpr int kSteps = 5;
+/// The panorama of which a square picture of the sphere comes near this one: `place` is where in
+/// the picture a direction lies, `direction` the inverse, if any.
+Image panoramaWithPicture(int steps, const Image& picture, int width, auto&& place,
+                          auto&& direction, const Progress& progress) {
     const int edge = picture.width(), height = std::max(1, width / 2);
-    Image image = unblurred(pictureOf(width, height, [&](float u, float v) {
+    Image start = unblurred(pictureOf(width, height, [&](float u, float v) {
         return valueAt(picture, place(directionFromEquirect({u, v})));
     }));
-    for (int step = 0; step < kSteps; ++step) {
+    return afterSteps(steps, std::move(start), [&](Image& image, float done, float next) {
         Image ratios = pictureOf<2>(edge, edge, [&](float u, float v) {
             const std::optional<glm::vec3> d = direction(u, v);
             return d ? equirectRadiance(image, *d) : glm::vec3(0.0f);
         });
         for (std::size_t i = 0; i < ratios.pixels().size(); ++i)
-            for (int c = 0; c < 3; ++c) {
-                float& is = ratios.pixels()[i][c];
-                is = is > 0.0f ? picture.pixels()[i][c] / is : 1.0f;
-            }
-        const float done = static_cast<float>(step + 1) / (kSteps + 1);
-        const bool all = parallelFor(
-            0, height, 8, partOf(progress, done, done + 1.0f / (kSteps + 1)),
-            [&](int begin, int end) {
-                for (int row = begin; row < end; ++row)
-                    for (int column = 0; column < width; ++column) {
-                        const glm::vec2 at =
-                            (glm::vec2(column, row) + 0.5f) / glm::vec2(width, height);
-                        image.at(column, row) *= valueAt(ratios, place(directionFromEquirect(at)));
-                    }
-            });
-        if (!all) break;
-    }
-    return image;
+            ratios.pixels()[i] = ratioOf(picture.pixels()[i], ratios.pixels()[i]);
+        return parallelFor(0, height, 8, partOf(progress, done, next), [&](int begin, int end) {
+            for (int row = begin; row < end; ++row)
+                for (int column = 0; column < width; ++column) {
+                    const glm::vec2 at = (glm::vec2(column, row) + 0.5f) / glm::vec2(width, height);
+                    image.at(column, row) *= valueAt(ratios, place(directionFromEquirect(at)));
+                }
+        });
+    });
 }
 
 }  // namespace
@@ -199,14 +189,15 @@ CubeMap cubeFromBall(const Image& picture, int faceSize) {
 }
 
 Image panoramaFromOctahedral(const Image& picture, int width, const Progress& progress) {
-    return approached(
-        picture, width, octahedralFromDirection,
+    return panoramaWithPicture(
+        8, picture, width, octahedralFromDirection,
         [](float u, float v) { return std::optional(directionFromOctahedral(u, v)); }, progress);
 }
 
 Image panoramaFromBall(const Image& picture, int width, const Progress& progress) {
-    return approached(
-        picture, width, [&](glm::vec3 d) { return ballFromDirection(d, picture.width()); },
+    // Few: what lies behind the ball is a thin ring along its rim, and would be made up.
+    return panoramaWithPicture(
+        4, picture, width, [&](glm::vec3 d) { return ballFromDirection(d, picture.width()); },
         directionFromBall, progress);
 }
 

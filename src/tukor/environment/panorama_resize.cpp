@@ -10,6 +10,7 @@
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/float4.h"
 #include "tukor/environment/panorama.h"
+#include "tukor/environment/richardson.h"
 #include "tukor/environment/unblurred.h"
 
 namespace tukor {
@@ -250,35 +251,31 @@ Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress)
 }
 
 Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progress) {
-    Image image = unblurred(panoramaFromCube(cube, width, partOf(progress, 0.0f, 0.6f)));
-    // Each step brings what cubeFromEquirect makes of it nearer to the cube map.
-    constexpr int kSteps = 3;
-    if (isConstant(cube)) return image;
-    const int height = image.height();
-    for (int step = 0; step < kSteps; ++step) {
-        const CubeMap found = cubeFromEquirect(image, cube.faceSize());
-        CubeMap ratios(cube.faceSize());
+    // Of faces finer than the panorama means are compared.
+    const int size = std::min(cube.faceSize(), width), finer = std::min(cube.faceSize(), 2 * width);
+    const CubeMap given = size < cube.faceSize() ? shrunkCube(cube, size) : cube;
+    Image start = unblurred(panoramaFromCube(given, width, partOf(progress, 0.0f, 0.3f)));
+    if (isConstant(cube)) return start;
+    constexpr int kSteps = 8;
+    return afterSteps(kSteps, std::move(start), [&](Image& image, float done, float next) {
+        const CubeMap made = cubeFromEquirect(image, finer);
+        CubeMap ratios = finer > size ? shrunkCube(made, size) : made;
         for (const CubeFace face : kCubeFaces)
             for (std::size_t i = 0; i < ratios.texels(face).size(); ++i)
-                for (int c = 0; c < 3; ++c) {
-                    const float is = found.texels(face)[i][c];
-                    ratios.texels(face)[i][c] = is > 0.0f ? cube.texels(face)[i][c] / is : 1.0f;
-                }
+                ratios.texels(face)[i] = ratioOf(given.texels(face)[i], ratios.texels(face)[i]);
         const LookUp ratio(ratios);
-        const float done = 0.6f + 0.4f * static_cast<float>(step) / kSteps;
-        const bool all = parallelFor(
-            0, height, 8, partOf(progress, done, done + 0.4f / kSteps), [&](int begin, int end) {
+        return parallelFor(
+            0, image.height(), 8, partOf(progress, 0.3f + 0.7f * done, 0.3f + 0.7f * next),
+            [&](int begin, int end) {
                 for (int row = begin; row < end; ++row)
                     for (int column = 0; column < width; ++column) {
-                        const glm::vec2 place =
-                            (glm::vec2(column, row) + 0.5f) / glm::vec2(width, height);
+                        const glm::vec2 place = (glm::vec2(column, row) + 0.5f) /
+                                                glm::vec2(image.width(), image.height());
                         image.at(column, row) *=
                             vec3FromFloat4(ratio(directionFromEquirect(place)));
                     }
             });
-        if (!all) break;
-    }
-    return image;
+    });
 }
 
 }  // namespace tukor
