@@ -2,10 +2,9 @@
 #pragma once
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <system_error>
-
-#include <gtest/gtest.h>
 
 namespace tukor {
 
@@ -13,8 +12,8 @@ namespace tukor {
 class TestFolder {
 public:
     TestFolder() {
-        std::string name = testing::TempDir() + "/tukor_XXXXXX";
-        if (!mkdtemp(name.data())) ADD_FAILURE() << name << " cannot be made";
+        std::string name = (std::filesystem::temp_directory_path() / "tukor_XXXXXX").string();
+        if (!mkdtemp(name.data())) throw std::runtime_error(name + " cannot be made");
         path_ = name;
     }
     ~TestFolder() {
