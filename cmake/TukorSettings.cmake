@@ -13,8 +13,8 @@ endif()
 find_program(TUKOR_CCACHE ccache)
 if(TUKOR_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     # Paths below the checkout count relative to it, so that checkouts and builds of equal depth share results.
-    set(TUKOR_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
-                       CCACHE_SLOPPINESS=pch_defines,time_macros ${TUKOR_CCACHE})
+    set(TUKOR_LAUNCHER env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
+                      CCACHE_SLOPPINESS=pch_defines,time_macros ${TUKOR_CCACHE})
     set(CMAKE_CXX_COMPILER_LAUNCHER ${TUKOR_LAUNCHER})
     set(CMAKE_C_COMPILER_LAUNCHER ${TUKOR_LAUNCHER})
 endif()

@@ -1,6 +1,9 @@
 // The limit, for offline.py: how long Embree alone takes for the rays that trace casts, one thread.
 //
 // usage: traversal WIDTHxHEIGHT SAMPLES EYE_Z FOV_DEGREES MODEL... --material 'PATTERN=NAME'...
+//                  [--triangles]
+//
+// --triangles: spheres, too, are cast as the triangles they are made of; trace knows their form.
 //
 // Follows the tree of every camera ray as trace does, 64 at a time, keeps the rays in the order and
 // the packets in which trace would cast them, and then casts them again with nothing between.
@@ -105,6 +108,17 @@ transport::Tree treeAt(const RayGenerator& camera, glm::vec2 at, std::uint32_t s
     return transport::startTree(ray, seed, index);
 }
 
+SurfaceTable trianglesOf(const Scene& scene) {
+    const MediaTable table = mediaOf(scene);
+    std::vector<Surface> surfaces;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const int medium = table.mediumOfPart[i];
+        surfaces.push_back({&scene.parts[i].mesh, scene.parts[i].material,
+                            medium < 0 ? 0u : 1u << medium});
+    }
+    return {surfaces, table.media};
+}
+
 int run(int argc, char** argv) {
     RenderOptions options;
     if (std::sscanf(argv[1], "%dx%d", &options.width, &options.height) != 2) {
@@ -118,9 +132,12 @@ int run(int argc, char** argv) {
     eye.verticalFov = std::stof(argv[4]) * std::numbers::pi_v<float> / 180.0f;
     Scene scene;
     std::vector<std::string> materials;
+    bool triangles = false;
     for (int i = 5; i < argc; ++i) {
         if (std::strcmp(argv[i], "--material") == 0 && i + 1 < argc) {
             materials.emplace_back(argv[++i]);
+        } else if (std::strcmp(argv[i], "--triangles") == 0) {
+            triangles = true;
         } else {
             append(scene, loadModel(argv[i]));
         }
@@ -129,7 +146,7 @@ int run(int argc, char** argv) {
     setThreadCount(1);
 
     const double begin = cpuSeconds();
-    const SurfaceTable surfaces(scene);
+    const SurfaceTable surfaces = triangles ? trianglesOf(scene) : SurfaceTable(scene);
     const RayCaster caster(surfaces);
     const double built = cpuSeconds();
     const RayGenerator camera(eye, options.width, options.height);
