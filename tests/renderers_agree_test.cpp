@@ -2,7 +2,6 @@
 // shape and of imported models.
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <fmt/ostream.h>
 #include <gtest/gtest.h>
 
+#include "tukor/base/test_folder.h"
 #include "tukor/environment/environment.h"
 #include "tukor/geometry/shapes.h"
 #include "tukor/gl/render.h"
@@ -38,10 +38,7 @@ void writeObject(std::ofstream& file, const std::string& shape, glm::vec3 scale,
     firstVertex += static_cast<int>(mesh.positions.size());
 }
 
-std::string writtenModel(const std::string& name) {
-    const auto path =
-        std::filesystem::temp_directory_path() /
-        fmt::format("tukor-{}-{}.obj", name, ::testing::UnitTest::GetInstance()->random_seed());
+void writeModel(const std::string& name, const std::string& path) {
     std::ofstream file(path);
     int firstVertex = 1;
     if (name == "pebble") {
@@ -50,7 +47,6 @@ std::string writtenModel(const std::string& name) {
         writeObject(file, "torus-knot", glm::vec3(1.0f), 0.0f, firstVertex);
         writeObject(file, "brilliant", glm::vec3(0.5f), 0.0f, firstVertex);
     }
-    return path.string();
 }
 
 struct Subject {
@@ -62,12 +58,13 @@ struct Subject {
 
 Scene sceneOf(const Subject& subject) {
     const bool written = subject.model == "pebble" || subject.model == "ring";
-    const std::string path = written ? writtenModel(subject.model) : subject.model;
+    const TestFolder folder;
+    const std::string file = folder.path(subject.model + ".obj");
+    if (written) writeModel(subject.model, file);
     ModelOptions options;
     options.material = subject.material;
-    Scene scene = loadModel(path, options);
+    Scene scene = loadModel(written ? file : subject.model, options);
     if (subject.model == "ring") scene.parts.at(1).material = parseMaterial("diamond");
-    if (written) std::filesystem::remove(path);
     return scene;
 }
 
@@ -105,9 +102,9 @@ Image picked(const Image& image, const Image& coverage, Keep&& keep) {
     return row;
 }
 
-class Renderers : public testing::TestWithParam<Subject> {};
+class RendererPair : public testing::TestWithParam<Subject> {};
 
-TEST_P(Renderers, DrawTheSamePicture) {
+TEST_P(RendererPair, DrawTheSamePicture) {
     const Subject& subject = GetParam();
     const Scene scene = sceneOf(subject);
     const Environment light = loadEnvironment("studio");
@@ -145,7 +142,7 @@ TEST_P(Renderers, DrawTheSamePicture) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Renderers,
+INSTANTIATE_TEST_SUITE_P(Shapes, RendererPair,
                          testing::Values(Subject{"sphere", "glass", 0.999, false},
                                          Subject{"brilliant", "diamond", 0.999, false},
                                          Subject{"torus-knot", "gold", 0.995, true},
@@ -160,6 +157,31 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Renderers,
                                  if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                              return name;
                          });
+
+TEST(Renderers, BlurWhatLiesBehindAlike) {
+    const Scene scene = sceneOf({"sphere", "gold", 1.0, false});
+    const Environment light = loadEnvironment("studio");
+    const Camera camera = framingCamera(scene, 16.0f / 9.0f);
+    RenderOptions options = quick(8, 1);
+    const Image ball = trace::render(scene, light, camera, options).radiance;
+    options.background = Background::quad;
+    for (const float roughness : {0.12f, 0.3f, 1.0f}) {
+        options.backgroundBlur = roughness;
+        const Rendering drawn = gl::render(scene, light, camera, options);
+        EXPECT_GE(drawn.rays, 96u * 54u);
+        const Image& a = drawn.radiance;
+        const Image b = trace::render(scene, light, camera, options).radiance;
+        int seen = 0;
+        for (std::size_t i = 0; i < ball.alpha.size(); ++i) {
+            if (ball.alpha[i] > 0.0f) continue;
+            ++seen;
+            EXPECT_LT(glm::distance(a.pixels()[i], b.pixels()[i]),
+                      2e-3f * glm::length(b.pixels()[i]))
+                << "roughness " << roughness << ", pixel " << i;
+        }
+        ASSERT_GT(seen, 1000);
+    }
+}
 
 }  // namespace
 }  // namespace tukor

@@ -8,6 +8,10 @@ FinishLight finishLight(const LightSource&, float) {
     return std::exchange(web::givenLight, {});
 }
 
+BackdropLight backdropLight(const LightSource&, float, float) {
+    return {};
+}
+
 const ShaderSource& finishShader() {
     static const char* const files[] = {"finish.frag"};
     static ShaderSource source{nullptr, files};

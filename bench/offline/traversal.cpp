@@ -113,8 +113,8 @@ SurfaceTable trianglesOf(const Scene& scene) {
     std::vector<Surface> surfaces;
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const int medium = table.mediumOfPart[i];
-        surfaces.push_back({&scene.parts[i].mesh, scene.parts[i].material,
-                            medium < 0 ? 0u : 1u << medium});
+        surfaces.push_back(
+            {&scene.parts[i].mesh, scene.parts[i].material, medium < 0 ? 0u : 1u << medium});
     }
     return {surfaces, table.media};
 }

@@ -75,4 +75,10 @@ std::optional<CubeMap> blurredCube(const Image& panorama, const Lobe& lobe, int 
     return cube;
 }
 
+CubeMap blurredBackdrop(const Image& panorama, float roughness) {
+    const double alpha = static_cast<double>(roughness) * static_cast<double>(roughness);
+    const int faceSize = alpha > 0.02 ? 256 : alpha > 0.01 ? 512 : 1024;
+    return *blurredCube(panorama, {LobeShape::ggx, alpha}, faceSize);
+}
+
 }  // namespace tukor

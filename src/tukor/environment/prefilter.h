@@ -50,4 +50,8 @@ struct PrefilteredChain {
 [[nodiscard]] std::optional<CubeMap> blurredCube(const Image& panorama, const Lobe& lobe,
                                                  int faceSize, const Progress& progress = {});
 
+/// What lies behind a scene whose background is blurred: the panorama as a surface of this
+/// perceptual roughness, in (0, 1], shows it, on faces of some texels a lobe.
+[[nodiscard]] CubeMap blurredBackdrop(const Image& panorama, float roughness);
+
 }  // namespace tukor

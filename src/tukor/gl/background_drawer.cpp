@@ -4,7 +4,6 @@
 #include <numbers>
 #include <vector>
 
-#include "tukor/gl/finish_parts.h"
 #include "tukor/gl/shaders.h"
 
 namespace tukor::gl {
@@ -96,12 +95,12 @@ void BackgroundDrawer::draw(Background background, const View& view,
 }
 
 void BackgroundDrawer::drawBehind(int frames, const View& view,
-                                  const glm::mat3& environmentFromWorld, float roughness) {
+                                  const glm::mat3& environmentFromWorld, float level) {
     if (!behind_) behind_.emplace(shaders::backgroundVert, shaders::behindFrag);
     behind_->set("sum", 0);
-    behind_->set("chain", 1);
+    behind_->set("blurred", 1);
     behind_->set("frames", static_cast<float>(frames));
-    behind_->set("level", roughness * (kChainLevels - 1));
+    behind_->set("level", level);
     behind_->set("rayDirMatrix", glm::mat4(environmentFromWorld) * view.rayDirMatrix);
     glBindVertexArray(0);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

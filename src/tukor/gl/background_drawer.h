@@ -18,11 +18,10 @@ public:
     void draw(Background background, const View& view, const glm::mat3& environmentFromWorld,
               glm::vec2 footprintMiddle, const EnvironmentTexture& environment);
 
-    /// Adds it, blurred, to a sum of `frames` frames without background, as a surface of this
-    /// perceptual roughness would show it. The sum is in texture unit 0, the chain of LightChain
-    /// in 1.
+    /// Adds it, blurred, to a sum of `frames` frames without background. The sum is in texture unit
+    /// 0, a cube map in 1, of which `level` is shown.
     void drawBehind(int frames, const View& view, const glm::mat3& environmentFromWorld,
-                    float roughness);
+                    float level);
 
 private:
     /// Triangles around the origin, of any radius.

@@ -16,20 +16,32 @@ void appendHalves(std::vector<std::uint64_t>& halves, std::span<const glm::vec3>
         halves.push_back(halvesFromColour(glm::min(texel * factor, glm::vec3(kLargestHalf))));
 }
 
+void appendFaces(std::vector<std::uint64_t>& halves, const CubeMap& cube, float factor) {
+    for (const CubeFace face : kCubeFaces) appendHalves(halves, cube.texels(face), factor);
+}
+
+/// The panorama, made from the cube map where there is none.
+std::shared_ptr<const Image> panoramaOf(const LightSource& source) {
+    if (source.panorama) return source.panorama;
+    return std::make_shared<Image>(panoramaFromCube(*source.cube, 4 * source.cube->faceSize()));
+}
+
 }  // namespace
 
 FinishLight finishLight(const LightSource& source, float scale) {
     const ChainOptions options{
         .faceSize = kChainFaceSize, .levels = kChainLevels, .scale = RoughnessScale::linear};
-    const PrefilteredChain chain =
-        source.panorama ? prefilteredChain(*source.panorama, options)
-                        : prefilteredChain(
-                              panoramaFromCube(*source.cube, 4 * source.cube->faceSize()), options);
+    const PrefilteredChain chain = prefilteredChain(*panoramaOf(source), options);
     FinishLight light;
-    for (const CubeMap& cube : chain.levels)
-        for (const CubeFace face : kCubeFaces)
-            appendHalves(light.chain, cube.texels(face), 1.0f / scale);
+    for (const CubeMap& cube : chain.levels) appendFaces(light.chain, cube, 1.0f / scale);
     appendHalves(light.table, brdfNodeTable(kTableSize).pixels(), 1.0f);
+    return light;
+}
+
+BackdropLight backdropLight(const LightSource& source, float scale, float roughness) {
+    const CubeMap cube = blurredBackdrop(*panoramaOf(source), roughness);
+    BackdropLight light{cube.faceSize(), {}};
+    appendFaces(light.texels, cube, 1.0f / scale);
     return light;
 }
 

@@ -32,6 +32,16 @@ struct FinishLight {
 /// Radiance is divided by `scale` first, see EnvironmentTexture.
 [[nodiscard]] FinishLight finishLight(const LightSource& source, float scale);
 
+/// A cube map, face by face, four half floats a texel.
+struct BackdropLight {
+    int faceSize = 0;
+    std::vector<std::uint64_t> texels;
+};
+
+/// What lies behind a scene blurred by this perceptual roughness. Nothing in a page, which has to
+/// do with the chain.
+[[nodiscard]] BackdropLight backdropLight(const LightSource& source, float scale, float roughness);
+
 /// finish.frag.
 [[nodiscard]] const ShaderSource& finishShader();
 

@@ -118,6 +118,12 @@ void FrameBuffers::bindNextSum(Counting counting) {
 
 void FrameBuffers::bindShownForReading() const {
     glBindFramebuffer(GL_FRAMEBUFFER, sumFramebuffers_[shown_].id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+}
+
+void FrameBuffers::bindCountsForReading() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, sumFramebuffers_[current_].id());
+    glReadBuffer(GL_COLOR_ATTACHMENT1);
 }
 
 }  // namespace tukor::gl

@@ -39,8 +39,9 @@ public:
     [[nodiscard]] const Texture& shown() const noexcept { return sums_[shown_]; }
     /// Sums of what was counted; black unless it was.
     [[nodiscard]] const Texture& counts() const noexcept { return counts_[current_]; }
-    /// Binds what is shown for glReadPixels, as its first attachment; counts are the second.
+    /// Bind what is shown, and the counts, for glReadPixels.
     void bindShownForReading() const;
+    void bindCountsForReading() const;
 
 private:
     struct Target {

@@ -16,6 +16,14 @@ void bindTo(int unit, GLenum target, const Texture& texture) {
     glBindTexture(target, texture.id());
 }
 
+/// Fills a level of the cube map that is bound; where the next one's texels begin.
+const std::uint64_t* uploadFaces(int level, int size, const std::uint64_t* texels) {
+    for (GLenum face = 0; face < 6; ++face, texels += size * size)
+        glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, 0, 0, size, size, GL_RGBA,
+                        GL_HALF_FLOAT, texels);
+    return texels;
+}
+
 }  // namespace
 
 LightChain::LightChain(const Environment& environment, float scale)
@@ -40,12 +48,26 @@ void LightChain::bind(int unit) {
     glTexStorage2D(GL_TEXTURE_CUBE_MAP, kChainLevels, GL_RGBA16F, kChainFaceSize, kChainFaceSize);
     setFilters(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR);
     const std::uint64_t* texels = light.chain.data();
-    for (int level = 0; level < kChainLevels; ++level) {
-        const int size = kChainFaceSize >> level;
-        for (GLenum face = 0; face < 6; ++face, texels += size * size)
-            glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, level, 0, 0, size, size, GL_RGBA,
-                            GL_HALF_FLOAT, texels);
+    for (int level = 0; level < kChainLevels; ++level)
+        texels = uploadFaces(level, kChainFaceSize >> level, texels);
+}
+
+float LightChain::bindBlurred(int unit, float roughness) {
+    if (backdropRoughness_ != roughness) {
+        const BackdropLight light = backdropLight(source_, scale_, roughness);
+        if (light.texels.empty()) {
+            bind(unit);
+            return roughness * (kChainLevels - 1);
+        }
+        backdropRoughness_ = roughness;
+        backdrop_ = Texture::make();
+        bindTo(unit, GL_TEXTURE_CUBE_MAP, backdrop_);
+        glTexStorage2D(GL_TEXTURE_CUBE_MAP, 1, GL_RGBA16F, light.faceSize, light.faceSize);
+        setFilters(GL_TEXTURE_CUBE_MAP, GL_LINEAR);
+        uploadFaces(0, light.faceSize, light.texels.data());
     }
+    bindTo(unit, GL_TEXTURE_CUBE_MAP, backdrop_);
+    return 0.0f;
 }
 
 }  // namespace tukor::gl

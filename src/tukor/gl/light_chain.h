@@ -1,5 +1,5 @@
 // What rough surfaces see of the environment: the chain of exactly filtered cube maps, and the
-// table of the other half of the split sum, as textures.
+// table of the other half of the split sum, as textures; and what lies blurred behind a scene.
 #pragma once
 #include "tukor/environment/environment.h"
 #include "tukor/gl/finish_parts.h"
@@ -17,7 +17,10 @@ public:
     /// Binds the chain to a texture unit, the table to the next; makes them where they are not.
     void bind(int unit);
 
-    /// Whether they are there.
+    /// Binds what lies behind a scene blurred by this perceptual roughness; the level to look at.
+    [[nodiscard]] float bindBlurred(int unit, float roughness);
+
+    /// Whether chain and table are there.
     [[nodiscard]] bool ready() const noexcept { return chain_.id() != 0; }
     [[nodiscard]] const LightSource& source() const noexcept { return source_; }
     [[nodiscard]] float scale() const noexcept { return scale_; }
@@ -27,6 +30,8 @@ private:
     float scale_ = 1.0f;
     Texture chain_;
     Texture table_;
+    Texture backdrop_;
+    float backdropRoughness_ = 0.0f;  // of backdrop_
 };
 
 }  // namespace tukor::gl

@@ -244,11 +244,12 @@ void Renderer::accumulate(const Look& look) {
 void Renderer::blurBackground(const Subject& subject) {
     buffers_.bindNextSum(Counting::none);
     bindTexture(0, buffers_.sum());
-    surroundings(subject.options.picture.environmentIntensity).chain.bind(1);
+    const RenderOptions& picture = subject.options.picture;
+    const float level =
+        surroundings(picture.environmentIntensity).chain.bindBlurred(1, picture.backgroundBlur);
     background_.drawBehind(frames_,
                            viewOf(subject.camera, subject.window, glm::vec2(0.0f), bounds_),
-                           environmentFromWorld(subject.options.picture.environmentRotation),
-                           subject.options.picture.backgroundBlur);
+                           environmentFromWorld(picture.environmentRotation), level);
     buffers_.showNextSum();
 }
 

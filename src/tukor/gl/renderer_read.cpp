@@ -15,13 +15,11 @@ Rendering Renderer::read() {
     std::vector<glm::vec4> sums(count);
     buffers_.bindShownForReading();
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, sums.data());
     if (buffers_.counts().id() != 0 && counting_ == Counting::all) {
         std::vector<glm::vec4> counts(count);
-        glReadBuffer(GL_COLOR_ATTACHMENT1);
+        buffers_.bindCountsForReading();
         glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, counts.data());
-        glReadBuffer(GL_COLOR_ATTACHMENT0);
         glm::dvec4 total(0.0);
         for (const glm::vec4& pixel : counts) total += glm::dvec4(pixel);
         rendering.rays = static_cast<std::uint64_t>(total.x);

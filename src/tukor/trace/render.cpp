@@ -41,12 +41,8 @@ PassGoals goalsOf(const RenderOptions& options) {
     return goals;
 }
 
-/// The environment as a surface of the perceptual roughness `backgroundBlur` shows it.
 EnvironmentMap blurredMap(const Image& panorama, const RenderOptions& options) {
-    const double roughness = static_cast<double>(options.backgroundBlur);
-    const double alpha = roughness * roughness;
-    const int faceSize = alpha > 0.02 ? 256 : alpha > 0.01 ? 512 : 1024;  // some texels a lobe
-    return {*blurredCube(panorama, {LobeShape::ggx, alpha}, faceSize), options.environmentRotation,
+    return {blurredBackdrop(panorama, options.backgroundBlur), options.environmentRotation,
             options.environmentIntensity};
 }
 

@@ -2,12 +2,12 @@
 // A sum of frames with the environment, blurred, where nothing was drawn.
 uniform sampler2D sum;
 uniform float frames;
-uniform samplerCube chain;  // as in split_sum.glsl
+uniform samplerCube blurred;
 uniform float level;
 in vec4 rayDir;
 out vec4 fragmentColor;
 
 void main() {
     vec4 drawn = texelFetch(sum, ivec2(gl_FragCoord.xy), 0);
-    fragmentColor = vec4(drawn.rgb + (frames - drawn.a) * textureLod(chain, rayDir.xyz, level).rgb, frames);
+    fragmentColor = vec4(drawn.rgb + (frames - drawn.a) * textureLod(blurred, rayDir.xyz, level).rgb, frames);
 }
