@@ -165,7 +165,7 @@ TEST(Renderers, BlurWhatLiesBehindAlike) {
     RenderOptions options = quick(8, 1);
     const Image ball = trace::render(scene, light, camera, options).radiance;
     options.background = Background::quad;
-    for (const float roughness : {0.12f, 0.3f, 1.0f}) {
+    for (const float roughness : {0.05f, 0.3f, 1.0f}) {
         options.backgroundBlur = roughness;
         const Rendering drawn = gl::render(scene, light, camera, options);
         EXPECT_GE(drawn.rays, 96u * 54u);

@@ -14,6 +14,9 @@ namespace {
 /// Sharper lobes than this need degrees beyond kMaxDegree.
 constexpr double kLeastSpectralAlpha = 6.0 / kMaxDegree;
 
+/// Sharper ones take seconds.
+constexpr double kLeastBackdropAlpha = 0.01;
+
 CubeMap convolved(const Image& panorama, const Spectrum& spectrum, const Lobe& lobe, int faceSize) {
     if (lobe.shape == LobeShape::ggx && lobe.alpha < kLeastSpectralAlpha)
         return gatheredCube(panorama, lobe, faceSize);
@@ -78,7 +81,17 @@ std::optional<CubeMap> blurredCube(const Image& panorama, const Lobe& lobe, int 
 CubeMap blurredBackdrop(const Image& panorama, float roughness) {
     const double alpha = static_cast<double>(roughness) * static_cast<double>(roughness);
     const int faceSize = alpha > 0.02 ? 256 : alpha > 0.01 ? 512 : 1024;
-    return *blurredCube(panorama, {LobeShape::ggx, alpha}, faceSize);
+    CubeMap cube =
+        *blurredCube(panorama, {LobeShape::ggx, std::max(alpha, kLeastBackdropAlpha)}, faceSize);
+    if (alpha >= kLeastBackdropAlpha) return cube;
+    const CubeMap sharp = cubeFromEquirect(panorama, faceSize);
+    const auto share = static_cast<float>(alpha / kLeastBackdropAlpha);
+    for (const CubeFace face : kCubeFaces) {
+        const std::span<glm::vec3> texels = cube.texels(face);
+        for (std::size_t i = 0; i < texels.size(); ++i)
+            texels[i] = glm::mix(sharp.texels(face)[i], texels[i], share);
+    }
+    return cube;
 }
 
 }  // namespace tukor

@@ -51,7 +51,8 @@ struct PrefilteredChain {
                                                  int faceSize, const Progress& progress = {});
 
 /// What lies behind a scene whose background is blurred: the panorama as a surface of this
-/// perceptual roughness, in (0, 1], shows it, on faces of some texels a lobe.
+/// perceptual roughness, in (0, 1], shows it, on faces of some texels a lobe. Below 0.1 it is
+/// mixed of that of 0.1 and the sharp one.
 [[nodiscard]] CubeMap blurredBackdrop(const Image& panorama, float roughness);
 
 }  // namespace tukor
