@@ -41,8 +41,10 @@ void printTable() {
     fmt::print("{:<16}{:<44}{:<28}{}\n", "name", "figures", "wavelengths",
                "description and source");
     for (const NamedMaterial& row : namedMaterials()) {
-        fmt::print("{:<16}{:<44}{:<28}{} [{}]\n", row.name, figures(row.material),
-                   row.wavelengths.empty() ? "-" : row.wavelengths, row.description, row.source);
+        const std::string abbe = row.abbe > 0.0f ? fmt::format("  Abbe {}", row.abbe) : "";
+        fmt::print("{:<16}{:<44}{:<28}{}{}{}\n", row.name, figures(row.material()) + abbe,
+                   row.wavelengths.empty() ? "-" : row.wavelengths, row.description,
+                   row.source.starts_with('[') ? " " : ", ", row.source);
     }
     fmt::print(
         "\nAlso from figures: --material ior:1.2, ior:1.5/0.1,0.2,0.9 (with absorption in 1/m),\n"
@@ -57,19 +59,21 @@ void printJson() {
                                       std::stod(textFromValue(v.z))};
     };
     for (const NamedMaterial& row : namedMaterials()) {
+        const Material material = row.material();
         nlohmann::ordered_json one;
         one["name"] = row.name;
-        one["kind"] = kindName(row.material.kind);
+        one["kind"] = kindName(material.kind);
         one["description"] = row.description;
-        if (row.material.kind == MaterialKind::mirror) {
-            one["tint"] = list(row.material.tint);
+        if (material.kind == MaterialKind::mirror) {
+            one["tint"] = list(material.tint);
         } else {
-            one["eta"] = list(row.material.eta);
+            one["eta"] = list(material.eta);
         }
-        if (row.material.kind == MaterialKind::metal) one["k"] = list(row.material.k);
-        if (row.material.kind == MaterialKind::dielectric) {
-            one["sigmaA"] = list(row.material.sigmaA);
-            one["priority"] = row.material.priority;
+        if (material.kind == MaterialKind::metal) one["k"] = list(material.k);
+        if (material.kind == MaterialKind::dielectric) {
+            one["sigmaA"] = list(material.sigmaA);
+            one["priority"] = material.priority;
+            if (row.abbe > 0.0f) one["abbe"] = std::stod(textFromValue(row.abbe));
         }
         one["wavelengths"] = row.wavelengths;
         one["source"] = row.source;

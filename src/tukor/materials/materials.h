@@ -18,14 +18,24 @@ inline constexpr int kIcePriority = 20;
 inline constexpr int kSolidPriority = 30;
 inline constexpr int kBubblePriority = 40;
 
+/// Figures of a smooth material; those that its kind has.
+struct MaterialFigures {
+    MaterialKind kind;
+    glm::vec3 first;         // tint of a mirror, eta of the others
+    glm::vec3 second{0.0f};  // k of a metal, sigmaA of a dielectric
+    int priority = 0;
+};
+
 /// One row of the table that `tukor materials` prints.
 struct NamedMaterial {
     std::string_view name;
     std::string_view description;
-    Material material;
+    MaterialFigures figures;
     std::string_view wavelengths;  // in nm, for R, G, B or for all three; empty: not measured
     std::string_view source;       // as in docs/references.md
     float abbe = 0.0f;             // number for the F, d and C lines; 0: not known
+
+    [[nodiscard]] Material material() const noexcept;
 };
 
 /// All of them: mirror, the lecture's four, metals, dielectrics.

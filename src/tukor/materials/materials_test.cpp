@@ -44,12 +44,13 @@ TEST(Materials, HaveDistinctNamesSourcesAndFiguresInRange) {
         EXPECT_TRUE(names.insert(named.name).second) << named.name;
         EXPECT_FALSE(named.source.empty()) << named.name;
         EXPECT_FALSE(named.description.empty()) << named.name;
-        EXPECT_NO_THROW(checkMaterial(named.material, named.name));
+        const Material material = named.material();
+        EXPECT_NO_THROW(checkMaterial(material, named.name));
         EXPECT_EQ(named.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string::npos)
             << named.name;
-        if (named.material.kind == MaterialKind::dielectric) {
-            EXPECT_EQ(named.material.eta, glm::vec3(named.material.eta.x)) << named.name;
-            EXPECT_GT(named.material.priority, 0) << named.name;
+        if (material.kind == MaterialKind::dielectric) {
+            EXPECT_EQ(material.eta, glm::vec3(material.eta.x)) << named.name;
+            EXPECT_GT(material.priority, 0) << named.name;
         }
     }
     ASSERT_EQ(materialNames().size(), namedMaterials().size());

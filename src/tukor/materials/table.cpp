@@ -17,35 +17,24 @@ constexpr std::string_view kByEye = "index [Anderson 1990]; colour by eye, for o
 constexpr std::string_view kRgb = "650, 550, 450";
 constexpr std::string_view kSodium = "589.3";
 
-Material mirror(float tint) {
-    Material m;
-    m.kind = MaterialKind::mirror;
-    m.tint = glm::vec3(tint);
-    return m;
+constexpr MaterialFigures mirror(float tint) {
+    return {MaterialKind::mirror, glm::vec3(tint)};
 }
 
-Material metal(glm::vec3 eta, glm::vec3 k) {
-    Material m;
-    m.kind = MaterialKind::metal;
-    m.eta = eta;
-    m.k = k;
-    return m;
+constexpr MaterialFigures metal(glm::vec3 eta, glm::vec3 k) {
+    return {MaterialKind::metal, eta, k};
 }
 
-Material solid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f), int priority = kSolidPriority) {
-    Material m;
-    m.kind = MaterialKind::dielectric;
-    m.eta = glm::vec3(eta);
-    m.sigmaA = sigmaA;
-    m.priority = priority;
-    return m;
+constexpr MaterialFigures solid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f),
+                                int priority = kSolidPriority) {
+    return {MaterialKind::dielectric, glm::vec3(eta), sigmaA, priority};
 }
 
-Material liquid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f)) {
+constexpr MaterialFigures liquid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f)) {
     return solid(eta, sigmaA, kLiquidPriority);
 }
 
-const std::array kTable = {
+constexpr std::array kTable = {
     NamedMaterial{"mirror", "an ideal mirror", mirror(1.0f), "", "by definition"},
     NamedMaterial{"gold", "gold", metal({0.21f, 0.485f, 1.29f}, {3.13f, 2.23f, 1.76f}), "",
                   kLecture},
@@ -118,7 +107,7 @@ const std::array kTable = {
                   "index [Rubin 1985]; colour by eye, for objects 2 m across"},
 };
 
-const auto kNames = [] {
+constexpr auto kNames = [] {
     std::array<std::string_view, kTable.size()> names{};
     for (std::size_t i = 0; i < kTable.size(); ++i) names[i] = kTable[i].name;
     return names;
@@ -142,15 +131,27 @@ std::span<const std::string_view> materialNames() noexcept {
     return kNames;
 }
 
+Material NamedMaterial::material() const noexcept {
+    switch (figures.kind) {
+        case MaterialKind::mirror:
+            return mirrorMaterial(figures.first);
+        case MaterialKind::metal:
+            return metalMaterial(figures.first, figures.second);
+        case MaterialKind::dielectric:
+            break;
+    }
+    return dielectricMaterial(figures.first.x, figures.second, figures.priority);
+}
+
 float abbeNumberOf(const Material& material) noexcept {
     for (const NamedMaterial& named : kTable)
-        if (named.abbe > 0.0f && named.material == material) return named.abbe;
+        if (named.abbe > 0.0f && named.material() == material) return named.abbe;
     return 0.0f;
 }
 
 std::optional<Material> findMaterial(std::string_view name) noexcept {
     for (const NamedMaterial& named : kTable) {
-        if (equalIgnoringCase(name, named.name)) return named.material;
+        if (equalIgnoringCase(name, named.name)) return named.material();
     }
     return std::nullopt;
 }
