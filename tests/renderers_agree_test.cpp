@@ -16,6 +16,7 @@
 #include "tukor/gl/render.h"
 #include "tukor/image/compare.h"
 #include "tukor/materials/materials.h"
+#include "tukor/scene/assign_materials.h"
 #include "tukor/scene/model_file.h"
 #include "tukor/trace/render.h"
 
@@ -54,6 +55,7 @@ struct Subject {
     std::string material;
     double fullDepth;  // the share of object pixels that must agree
     bool onlyStable;   // of those that a shift of 1e-4 pixels changes by less than a code
+    float dispersion = 0.0f;
 };
 
 Scene sceneOf(const Subject& subject) {
@@ -64,6 +66,7 @@ Scene sceneOf(const Subject& subject) {
     ModelOptions options;
     options.material = subject.material;
     Scene scene = loadModel(written ? file : subject.model, options);
+    if (subject.dispersion > 0.0f) setDispersion(scene, subject.dispersion);
     if (subject.model == "ring") scene.parts.at(1).material = parseMaterial("diamond");
     return scene;
 }
@@ -145,6 +148,7 @@ TEST_P(RendererPair, DrawTheSamePicture) {
 INSTANTIATE_TEST_SUITE_P(Shapes, RendererPair,
                          testing::Values(Subject{"sphere", "glass", 0.999, false},
                                          Subject{"brilliant", "diamond", 0.999, false},
+                                         Subject{"brilliant", "diamond", 0.995, true, 1.0f},
                                          Subject{"torus-knot", "gold", 0.995, true},
                                          Subject{"torus-knot", "glass", 0.995, true},
                                          Subject{"tumbler", "glass", 0.995, true},
@@ -152,7 +156,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, RendererPair,
                                          Subject{"pebble", "water", 0.995, true},
                                          Subject{"ring", "gold", 0.995, true}),
                          [](const testing::TestParamInfo<Subject>& tested) {
-                             std::string name = tested.param.model + "_" + tested.param.material;
+                             std::string name = tested.param.model + "_" + tested.param.material +
+                                                (tested.param.dispersion > 0.0f ? "_fire" : "");
                              for (char& c : name)
                                  if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                              return name;

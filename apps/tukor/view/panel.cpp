@@ -67,7 +67,8 @@ void specify(std::vector<std::string>& specifications, const std::string& patter
     }
 }
 
-void Panel::showMaterials(const Session& session, std::vector<std::string>& specifications) {
+void Panel::showMaterials(const Session& session, SubjectOptions& subject) {
+    std::vector<std::string>& specifications = subject.materials;
     constexpr std::size_t kListed = 40;  // more rows than that are no help
     const auto everything = specified(specifications, "");
     if (auto chosen =
@@ -88,7 +89,17 @@ void Panel::showMaterials(const Session& session, std::vector<std::string>& spec
         }
         ImGui::PopID();
     }
-    if (!specifications.empty() && ImGui::SmallButton("as in the model")) specifications.clear();
+    const auto& parts = session.scene().parts;
+    const bool clear = std::any_of(parts.begin(), parts.end(), [](const Part& part) {
+        return part.material.kind == MaterialKind::dielectric;
+    });
+    float dispersion = subject.dispersion.value_or(0.0f);
+    if (clear && ImGui::SliderFloat("dispersion", &dispersion, 0.0f, 4.0f, "%.1f"))
+        subject.dispersion = std::clamp(dispersion, 0.0f, 100.0f);
+    if ((!specifications.empty() || subject.dispersion) && ImGui::SmallButton("as in the model")) {
+        specifications.clear();
+        subject.dispersion.reset();
+    }
 }
 
 void Panel::showSubject(const Session& session, SessionOptions& wanted) {
@@ -145,7 +156,7 @@ PanelRequests Panel::show(const Session& session, SessionOptions& wanted,
         showSubject(session, wanted);
     }
     if (ImGui::CollapsingHeader("Materials", ImGuiTreeNodeFlags_DefaultOpen)) {
-        showMaterials(session, wanted.subject.materials);
+        showMaterials(session, wanted.subject);
     }
     if (ImGui::CollapsingHeader("Light", ImGuiTreeNodeFlags_DefaultOpen)) showLight(wanted.light);
     if (ImGui::CollapsingHeader("Quality", ImGuiTreeNodeFlags_DefaultOpen)) {

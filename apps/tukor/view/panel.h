@@ -31,7 +31,7 @@ public:
 
 private:
     void showSubject(const Session& session, SessionOptions& wanted);
-    void showMaterials(const Session& session, std::vector<std::string>& specifications);
+    void showMaterials(const Session& session, SubjectOptions& subject);
     void showLight(LightOptions& light);
 
     std::string modelText_;

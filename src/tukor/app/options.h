@@ -153,7 +153,7 @@ void describe(Options& o, Visitor&& field) {
           "a moment of a glTF model's animation; without it the model stands at rest");
     field("dispersion", o.dispersion, Measure<float>{"X", {0.0f, 100.0f}},
           "factor on the dispersion of clear materials, 1 as measured; without it named materials "
-          "have none and those of glTF files what the file says (trace)");
+          "have none and those of glTF files what the file says; a single sample shows none");
 }
 
 template <OptionsOf<LightOptions> Options, class Visitor>

@@ -220,13 +220,16 @@ std::vector<std::string> Session::warnings() const {
         const std::vector<std::string> open = closednessWarnings(scene_);
         all.insert(all.end(), open.begin(), open.end());
     }
-    const bool disperses =
-        std::any_of(scene_.parts.begin(), scene_.parts.end(),
-                    [](const Part& part) { return part.material.dispersion > 0.0f; });
     if (!options_.light.ground.empty() && lookUps_ == LookUps::cube)
         all.emplace_back("ground is not drawn by gl; --renderer trace shows it");
-    if (disperses && lookUps_ == LookUps::cube)  // gl's
-        all.emplace_back("dispersion is not drawn by gl; --renderer trace shows it");
+    const bool single = options_.quality.fidelity == Fidelity::single;
+    const bool plain = std::any_of(scene_.parts.begin(), scene_.parts.end(), [&](const Part& part) {
+        return part.material.dispersion > 0.0f && (single || part.material.finish);
+    });
+    if (plain && lookUps_ == LookUps::cube)  // gl's
+        all.emplace_back(
+            "gl draws dispersion of smooth surfaces at --fidelity double and exact alone; "
+            "--renderer trace shows all");
     for (const std::string& warning : environment_->warnings) {
         all.push_back(environment_->name + ": " + warning);
     }

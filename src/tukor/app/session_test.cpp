@@ -57,10 +57,11 @@ TEST(Session, AddsLightsAndDispersionToTheModels) {
     options.subject.dispersion = 2.0f;
     options.light.lights.clear();
     options.light.ground = "lowest";
+    options.quality.fidelity = Fidelity::single;
     session.apply(options);
     EXPECT_TRUE(session.scene().lights.empty());
     EXPECT_FLOAT_EQ(session.scene().parts[0].material.dispersion, 2.0f * 20.0f / 55.3f);
-    EXPECT_THAT(session.warnings(), testing::IsSupersetOf({HasSubstr("dispersion is not drawn"),
+    EXPECT_THAT(session.warnings(), testing::IsSupersetOf({HasSubstr("gl draws dispersion of"),
                                                            HasSubstr("ground is not drawn")}));
     options.light.ground = "deep";
     EXPECT_THAT(messageOf([&] { session.apply(options); }), HasSubstr("ground: 'deep'"));

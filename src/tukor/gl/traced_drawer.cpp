@@ -9,6 +9,7 @@
 #include "tukor/gl/lamps.h"
 #include "tukor/gl/light_chain.h"
 #include "tukor/gl/shaders.h"
+#include "tukor/optics/spectrum.h"
 
 namespace tukor::gl {
 
@@ -23,6 +24,14 @@ constexpr int kMostLookUps = 17;  // of one deposit, as in trace
 int tileSize(int rayBudget) {
     const float pixels = static_cast<float>(kRaysPerTile) / static_cast<float>(rayBudget);
     return std::clamp(static_cast<int>(std::sqrt(pixels)), 32, 4096);
+}
+
+/// As traced.frag has it.
+std::vector<glm::vec4> spectrumTable() {
+    std::vector<glm::vec4> table;
+    for (const optics::Wavelength& w : optics::visibleSpectrum())
+        table.emplace_back(w.nm, w.weight);
+    return table;
 }
 
 }  // namespace
@@ -54,6 +63,9 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
         lampTable(frame.lights, frame.view.eye, frame.environmentFromWorld, frame.emissionFactor);
     if (scene.finished() && !lamps.empty())
         defines += fmt::format("#define LAMPS {}\n", lamps.size() / 4);
+    // A single sample would have a single colour, and flicker.
+    const bool disperses = scene.disperses() && frame.options.samples != 1;
+    if (disperses) defines += "#define DISPERSION\n";
     const Program& program = programFor(
         frame.fidelity, frame.fresnel,
         scene.finished() ? tracedFinishesShader() : shaders::tracedFrag, defines, counting);
@@ -73,6 +85,7 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
         program.set("unlitFactor", frame.emissionFactor);
         if (!lamps.empty()) program.set("lamps[0]", lamps);
     }
+    if (disperses) program.set("spectrum[0]", spectrumTable());
     program.set("first", frame.number == 0 ? 1 : 0);
     program.set("frame", static_cast<std::uint32_t>(frame.number));
     program.set("centred", frame.centred ? 1 : 0);

@@ -56,8 +56,11 @@ void TracedScene::setMaterials(const std::vector<Material>& materials) {
     for (std::size_t i = 0; i < parts; ++i) outline_.parts[i].material = materials[i];
     const MediaTable table = mediaOf(outline_);
     media_.clear();
-    for (const DielectricMedium& medium : table.media)
-        media_.emplace_back(medium.eta, medium.sigmaA);
+    dispersions_.assign((table.media.size() + 3) / 4, glm::vec4(0.0f));
+    for (std::size_t i = 0; i < table.media.size(); ++i) {
+        media_.emplace_back(table.media[i].eta, table.media[i].sigmaA);
+        dispersions_[i / 4][static_cast<int>(i % 4)] = table.media[i].dispersion;
+    }
 
     // First of each part: kind, media inside, media outside; tint or index; extinction. Then its
     // finish. Floats as their bits, which no sampler touches.
@@ -78,6 +81,11 @@ void TracedScene::setMaterials(const std::vector<Material>& materials) {
         makeTable(GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
                   static_cast<int>(kTexelsPerPart * kPartsPerRow), texels.size(), texels.data());
     eyeKnown_ = false;
+}
+
+bool TracedScene::disperses() const noexcept {
+    return std::any_of(dispersions_.begin(), dispersions_.end(),
+                       [](glm::vec4 d) { return d != glm::vec4(0.0f); });
 }
 
 void TracedScene::drawTriangles(const Program& program) const {
@@ -111,6 +119,7 @@ void TracedScene::bind(const Program& program, int unit, glm::vec3 eye) {
     program.set("spheres[0]", spheres_);
     program.set("eyeMedia", eyeMedia_);
     program.set("media[0]", media_);
+    program.set("dispersions[0]", dispersions_);
 }
 
 }  // namespace tukor::gl

@@ -28,6 +28,9 @@ public:
     /// Whether some part had a finish when the scene was given.
     [[nodiscard]] bool finished() const noexcept { return finishes_.has_value(); }
 
+    /// Whether a medium refracts each wavelength in another way.
+    [[nodiscard]] bool disperses() const noexcept;
+
     /// Lines of #define for traced.frag.
     [[nodiscard]] const char* defines() const noexcept {
         return finishes_ ? finishes_->defines() : "";
@@ -47,6 +50,7 @@ private:
     std::vector<glm::vec4> spheres_;  // parts that are whole spheres, as traced.frag has them
     std::vector<std::uint32_t> insideOfPart_;
     std::vector<glm::vec4> media_;
+    std::vector<glm::vec4> dispersions_;  // four to a vector
     Texture nodes_;
     Texture triangles_;
     Texture normals_;

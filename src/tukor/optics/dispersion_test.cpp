@@ -1,6 +1,10 @@
 #include "tukor/optics/dispersion.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+
+#include "tukor/optics/spectrum.h"
 
 namespace tukor::optics {
 namespace {
@@ -20,6 +24,23 @@ TEST(Dispersion, GivesAbbesNumberBack) {
 TEST(Dispersion, IsNearMeasuredGlass) {
     EXPECT_NEAR(indexAt(1.5168f, 20.0f / 64.17f, 435.8f), 1.52668f, 5e-4f);
     EXPECT_NEAR(indexAt(1.5168f, 20.0f / 64.17f, 706.5f), 1.51289f, 5e-4f);
+}
+
+TEST(Spectrum, WeightsAverageToWhite) {
+    const Spectrum spectrum = visibleSpectrum();
+    glm::dvec3 sum(0.0);
+    constexpr int kCount = 10000;
+    float last = 0.0f;
+    for (int i = 0; i < kCount; ++i) {
+        const Wavelength w = wavelengthAt(spectrum, (static_cast<float>(i) + 0.5f) / kCount);
+        EXPECT_GE(w.nm, last);
+        EXPECT_LE(std::max({w.weight.x, w.weight.y, w.weight.z}), 3.1f);
+        last = w.nm;
+        sum += glm::dvec3(w.weight);
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c] / kCount, 1.0, 1e-3);
+    EXPECT_GT(wavelengthAt(spectrum, 0.95f).weight.x, 2.0f);  // red is long
+    EXPECT_GT(wavelengthAt(spectrum, 0.05f).weight.z, 2.0f);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What all threads share while one picture is traced.
 #pragma once
+#include "tukor/optics/spectrum.h"
 #include "tukor/scene/camera.h"
 #include "tukor/scene/render_options.h"
 #include "tukor/trace/environment_map.h"
@@ -28,7 +29,6 @@ struct RayGenerator {
 };
 
 class RoughEvent;
-class Spectrum;
 
 struct Frame {
     const SurfaceTable& surfaces;
@@ -43,8 +43,8 @@ struct Frame {
     std::uint32_t seed;
     bool splitGrazing = false;  // see RenderOptions
     bool retakeFaulty = true;
-    const RoughEvent* rough = nullptr;   // null: all surfaces are ideally smooth
-    const Spectrum* spectrum = nullptr;  // null: nothing disperses light
+    const RoughEvent* rough = nullptr;           // null: all surfaces are ideally smooth
+    const optics::Spectrum* spectrum = nullptr;  // null: light is not dispersed
     // What camera rays see that meet nothing; null: the environment.
     const EnvironmentMap* backdrop = nullptr;
 };

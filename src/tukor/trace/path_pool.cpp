@@ -7,9 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "tukor/optics/spectrum.h"
 #include "tukor/trace/rough_event.h"
 #include "tukor/trace/rounding.h"
-#include "tukor/trace/spectrum.h"
 #include "tukor/transport/grazing.h"
 #include "tukor/transport/look_ups.h"
 #include "tukor/transport/sampler.h"
@@ -156,14 +156,10 @@ void PathPool::settle() noexcept {
     const SurfaceTable& surfaces = frame_.surfaces;
     if (path.wavelength > 0.0f || !(surfaces.disperses(met.from) || surfaces.disperses(met.to)))
         return;
-    // The samples of a pixel cover the spectrum evenly.
-    PathSampler sampler = path.sampler;
-    sampler.pixelSeed = transport::mixedBits(sampler.pixelSeed ^ 0x5bd1e995u);
-    const Wavelength chosen = frame_.spectrum->sample(sampler.point().x);
+    const optics::Wavelength chosen = optics::wavelengthAt(
+        *frame_.spectrum, transport::spectrumSample(path.sampler.pixelSeed, path.sampler.index));
     path.wavelength = chosen.nm;
-    path.tree.branch.throughput *= chosen.weight;
-    for (std::size_t i = 0; i < std::size(path.tree.pending); ++i)
-        if (path.tree.pendingWeights[i] >= 0.0f) path.tree.pending[i].throughput *= chosen.weight;
+    transport::filterTree(path.tree, chosen.weight);
 }
 
 transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcept {

@@ -11,7 +11,6 @@
 #include "tukor/trace/layers.h"
 #include "tukor/trace/passes.h"
 #include "tukor/trace/rough_event.h"
-#include "tukor/trace/spectrum.h"
 
 namespace tukor::trace {
 
@@ -62,9 +61,9 @@ Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop,
     if (finished)
         rough.emplace(scene, surfaces, caster, map, backdrop ? *backdrop : map,
                       static_cast<float>(options.samples.value_or(32)));
-    std::optional<Spectrum> spectrum;
-    if (surfaces.disperse()) spectrum.emplace();
     const PassGoals goals = goalsOf(options);
+    std::optional<optics::Spectrum> spectrum;  // a single sample would have a single colour
+    if (surfaces.disperse() && goals.samples > 1) spectrum = optics::visibleSpectrum();
     const Frame frame{
         .surfaces = surfaces,
         .caster = caster,

@@ -118,6 +118,16 @@ TUKOR_FN float nextRandom(TUKOR_INOUT(Tree) tree) {
     return float(owenScrambledReverse(place, mixedBits(seed)) >> 8u) * (1.0f / 16777216.0f);
 }
 
+/// All light of the tree goes through a filter.
+TUKOR_PROCEDURE filterTree(TUKOR_INOUT(Tree) tree, vec3 filtered) {
+    tree.branch.throughput = tree.branch.throughput * filtered;
+    for (int i = 0; i < kPendingBranches; i++) {
+        if (tree.pendingWeights[i] >= 0.0f) {
+            tree.pending[i].throughput = tree.pending[i].throughput * filtered;
+        }
+    }
+}
+
 /// Ends the current branch, and the tree if no other waits.
 TUKOR_PROCEDURE endBranch(TUKOR_INOUT(Tree) tree) {
     tree.ended = true;

@@ -82,4 +82,11 @@ TUKOR_FN uint sampleSeed(uint seed, uint index) {
     return mixedBits(seed + index * 0x9e3779b9u);
 }
 
+/// Where in the spectrum a sample lies, in [0, 1): those of a pixel cover it evenly, in an order of
+/// their own. [Burley 2020]
+TUKOR_FN float spectrumSample(uint seed, uint index) {
+    uint own = mixedBits(seed ^ 0x5bd1e995u);
+    return pixelSample(own, owenScrambled(index, mixedBits(own))).x;
+}
+
 TUKOR_SHARED_END

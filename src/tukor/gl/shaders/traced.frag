@@ -3,10 +3,11 @@
 // triangles of the scene. The host of tukor/transport/path_tree.h in GLSL.
 //
 // FIDELITY and FRESNEL are those of the transport: compilers leave out the rest. COUNTING: 1 adds a second output with what
-// happened on the way. FINISHES: there are surfaces that are not ideally smooth; what the camera sees of them was drawn before.
+// happened on the way. DISPERSION: some media refract each wavelength in another way. FINISHES: there are surfaces that are not ideally smooth; what the camera sees of them was drawn before.
 #include "tukor/gl/shaders/environment.glsl"
 #include "tukor/geometry/bvh_traversal.h"
 #include "tukor/geometry/sphere_hit.h"
+#include "tukor/optics/dispersion.h"
 #include "tukor/transport/grazing.h"
 #include "tukor/transport/look_ups.h"
 #include "tukor/transport/path_tree.h"
@@ -52,6 +53,16 @@ layout(location = 0) out vec4 fragmentColor;
 #if COUNTING == 1
 uniform sampler2D counted;
 layout(location = 1) out vec4 counts;  // rays, leaks, inconsistencies, truncated
+#endif
+
+#ifdef DISPERSION
+uniform vec4 dispersions[8];  // of the media, four to a vector: 20 over Abbe's number
+uniform vec4 spectrum[65];    // nm and weights, see tukor/optics/spectrum.h
+float wavelength;             // of the light that is traced, in nm; 0 for all
+
+float dispersionOf(int number) {
+    return number == kVacuum ? 0.0 : dispersions[number >> 2][number & 3];
+}
 #endif
 
 #ifdef FINISHES
@@ -140,6 +151,9 @@ Medium mediumAt(int number) {
         vec4 figures = media[number];
         medium.eta = figures.x;
         medium.sigmaA = vec3(figures.y, figures.z, figures.w);
+#ifdef DISPERSION
+        if (wavelength > 0.0) medium.eta = indexAt(medium.eta, dispersionOf(number), wavelength);
+#endif
     }
     return medium;
 }
@@ -183,6 +197,10 @@ void main() {
     uint seed = pixelSeed(uint(place.y * pictureWidth + place.x), pictureSeed);
     PixelPart part = pixelPart(seed, frame, footprintScale);
     if (centred) part = PixelPart(vec2(0.5), vec2(footprintScale));
+#ifdef DISPERSION
+    wavelength = 0.0;
+    float inSpectrum = spectrumSample(seed, frame);
+#endif
     seed = sampleSeed(seed, frame);
 
     Tree tree = startTree(cameraRay(pixel, part), seed, 0u);
@@ -202,6 +220,10 @@ void main() {
             if (weight == 1.0 || finer == kFinerSamples) break;
             PixelPart finerPart = PixelPart(part.middle + part.size * finerSample(seed, uint(finer)), kFinerWidth * part.size);
             tree = startTree(cameraRay(pixel, finerPart), seed, uint(finer));
+#ifdef DISPERSION
+            wavelength = 0.0;
+            inSpectrum = spectrumSample(seed, uint(finer));
+#endif
             finer++;
             rounding = exactSoFar();
             direct = true;
@@ -231,6 +253,15 @@ void main() {
                 continue;
             }
             rounding = exactSoFar();
+#ifdef DISPERSION
+            if (any && hit.kind == kDielectric && wavelength == 0.0 && dispersionOf(met.from) + dispersionOf(met.to) > 0.0) {
+                float place = inSpectrum * 64.0;
+                int spectrumPart = int(place);
+                vec4 chosen = mix(spectrum[spectrumPart], spectrum[spectrumPart + 1], place - float(spectrumPart));
+                wavelength = chosen.x;
+                filterTree(tree, chosen.yzw);
+            }
+#endif
 #ifdef FINISHES
             if (finished) {
                 Branch at = tree.branch;
