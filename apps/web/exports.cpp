@@ -120,9 +120,9 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_scene(const std::byte* bytes, int size) {
     });
 }
 
-EMSCRIPTEN_KEEPALIVE int tukor_set_materials(const char* specifications) {
+EMSCRIPTEN_KEEPALIVE int tukor_set_materials(const char* specifications, float dispersion) {
     return guarded([&] {
-        viewer->setMaterials(specifications);
+        viewer->setMaterials(specifications, dispersion);
         return 0;
     });
 }

@@ -92,7 +92,7 @@ void Viewer::setSuns(std::span<const float> figures) {
     renderer_.setLights(scene_.lights);
 }
 
-void Viewer::setMaterials(std::string_view specifications) {
+void Viewer::setMaterials(std::string_view specifications, float dispersion) {
     std::vector<std::string> list;
     while (!specifications.empty()) {
         const std::size_t end = std::min(specifications.find(';'), specifications.size());
@@ -105,6 +105,7 @@ void Viewer::setMaterials(std::string_view specifications) {
         bare.parts.push_back(
             {scene_.parts[i].name, scene_.parts[i].materialName, ownMaterials_[i], {}});
     assignMaterials(bare, list);
+    if (dispersion >= 0.0f) setDispersion(bare, dispersion);
     for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
         if (scene_.parts[i].material == bare.parts[i].material) continue;
         scene_.parts[i].material = bare.parts[i].material;

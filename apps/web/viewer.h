@@ -24,8 +24,9 @@ public:
     /// The same parts elsewhere, of the materials that they have; false, and nothing done, when
     /// they are not the same.
     bool setPose(Scene scene);
-    /// `NAME` or `PATTERN=NAME`, separated by semicolons; all others get back their own.
-    void setMaterials(std::string_view specifications);
+    /// `NAME` or `PATTERN=NAME`, separated by semicolons; all others get back their own. A factor
+    /// on the dispersion of all; below zero it stays as it is.
+    void setMaterials(std::string_view specifications, float dispersion);
     /// False, and nothing done, when the picture is not twice as wide as high.
     bool setPanorama(Image picture);
     /// Three floats a texel, face after face as in CubeMap.

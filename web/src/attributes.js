@@ -22,6 +22,7 @@ export const FIGURES = {
   "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
   exposure: [number, 0],
   "background-blur": [(text) => (number(text) >= 0 && number(text) <= 1 ? number(text) : null), 0],
+  dispersion: [(text) => (number(text) >= 0 && number(text) <= 100 ? number(text) : null), -1], // as in the model
   light: [suns, []],
   "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
 };
@@ -31,14 +32,17 @@ export const PAGE_ONLY = ["light", "time-seconds"];
 
 export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 
+/** What its surfaces are made of. */
+export const MATERIALS = ["material", "dispersion"];
+
 /** Of these the model is read anew. */
 export const MODEL = ["src", "variant", "animation"];
 
 /** Of these the library is told at once. */
-export const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(FIGURES)].filter((name) => !MODEL.includes(name));
+export const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(FIGURES)].filter((name) => !MODEL.includes(name) && !MATERIALS.includes(name));
 
 const FLAGS = ["auto-rotate", "autoplay", "camera-controls"];
-export const ATTRIBUTES = [...new Set([...OPTIONS, ...CAMERA, ...MODEL, ...FLAGS, "environment", "material", "alt", "poster", "loading", "reveal"])];
+export const ATTRIBUTES = [...new Set([...OPTIONS, ...CAMERA, ...MODEL, ...MATERIALS, ...FLAGS, "environment", "alt", "poster", "loading", "reveal"])];
 
 export function figureOf(element, name) {
   const [read, standard] = FIGURES[name];

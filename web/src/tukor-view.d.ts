@@ -38,6 +38,8 @@ export declare class TukorView extends HTMLElement {
   backgroundBlur: string | null;
   /** "gold", or "Stone=diamond; Band=gold" by part or material name, or figures: "ior:1.2". */
   material: string | null;
+  /** Factor on the dispersion of clear materials, 1 as measured; without it named ones have none and those of the model what it says. */
+  dispersion: string | null;
   /** One of the model's own looks (KHR_materials_variants), by name. */
   variant: string | null;
   /** One of the model's animations, by name, or else by number from 0; the first unless given. */

@@ -1,5 +1,5 @@
 // <tukor-view>: the custom element. Attributes in, pictures and events out; the light is computed behind link.js.
-import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MODEL, OPTIONS, PAGE_ONLY, cameraGoal, figureOf, lists, reflect, upgrade } from "./attributes.js";
+import { ATTRIBUTES, CAMERA, CHOICES, FIGURES, MATERIALS, MODEL, OPTIONS, PAGE_ONLY, cameraGoal, figureOf, lists, reflect, upgrade } from "./attributes.js";
 import { Clock } from "./clock.js";
 import { renderCommand } from "./command.js";
 import { listen, spokenView } from "./controls.js";
@@ -71,7 +71,7 @@ export class TukorView extends HTMLElement {
     if (name === "autoplay") this.#autoplay();
     if (MODEL.includes(name)) this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
-    else if (name === "material") this.#guard(() => this.#materials());
+    else if (MATERIALS.includes(name)) this.#guard(() => this.#materials());
     else if (OPTIONS.includes(name)) this.#guard(() => this.#option(name));
     else if (CAMERA.includes(name)) this.#guard(() => this.#aim(name));
     this.#player.changed();
@@ -303,7 +303,7 @@ export class TukorView extends HTMLElement {
   }
 
   #materials() {
-    return this.#set("materials", this.getAttribute("material") ?? "");
+    return this.#set("materials", this.getAttribute("material") ?? "", figureOf(this, "dispersion"));
   }
 
   #option(name) {

@@ -42,10 +42,11 @@ async function decoded(page, png) {
   return Buffer.from(text, "base64");
 }
 
-for (const [src, material, environment] of [["torus-knot", "glass", "light.hdr"], ["brilliant", "diamond", "light.hdr"], ["tumbler", null, "studio"], ["sphere", "gold", "none.ktx2"], ["sphere", "gold", "zstd.ktx2"]])
-  test(`${src} in ${environment} looks as \`tukor render --renderer gl\` draws it`, async () => {
+for (const [src, material, environment, dispersion] of [["torus-knot", "glass", "light.hdr"], ["brilliant", "diamond", "light.hdr"], ["brilliant", "diamond", "light.hdr", "1"], ["tumbler", null, "studio"], ["sphere", "gold", "none.ktx2"], ["sphere", "gold", "zstd.ktx2"]])
+  test(`${src} in ${environment}${dispersion ? " with fire" : ""} looks as \`tukor render --renderer gl\` draws it`, async () => {
     const attributes = { src, environment, "max-depth": "8", "tone-map": "none", fidelity: "exact" };
     if (material) attributes.material = material;
+    if (dispersion) attributes.dispersion = dispersion;
     const page = await browser.element(attributes, size);
     const shown = await picture(page, { ...size, samples });
     const bare = await (async () => {
@@ -67,6 +68,11 @@ for (const [src, material, environment] of [["torus-knot", "glass", "light.hdr"]
     }
     console.log(`# ${src} in ${environment}: ${((100 * near) / object).toFixed(2)} % of ${object} pixels`);
     assert.ok(object > 1000);
+    if (dispersion) {
+      await page.evaluate(() => window.view.removeAttribute("dispersion"));
+      const plain = await picture(page, { ...size, samples });
+      assert.notDeepEqual(plain.data, shown.data);
+    }
     assert.ok(near >= 0.99 * object, `${near} of ${object} pixels are within 2/255`);
     assert.deepEqual(page.errors, []);
     await page.context().close();
