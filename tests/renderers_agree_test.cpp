@@ -188,5 +188,46 @@ TEST(Renderers, BlurWhatLiesBehindAlike) {
     }
 }
 
+/// Means over blocks of that many pixels, as a picture of one row.
+Image blocks(const Image& image, int size) {
+    const int across = image.width() / size, down = image.height() / size;
+    Image means(across * down, 1);
+    for (int row = 0; row < down * size; ++row)
+        for (int column = 0; column < across * size; ++column)
+            means.at(row / size * across + column / size, 0) +=
+                image.at(column, row) / static_cast<float>(size * size);
+    return means;
+}
+
+// What is by chance is compared by its means: shadows and caustics of glass, of a metal's
+// reflections, of a lamp.
+TEST(Renderers, ThrowTheSameLightOnGround) {
+    const Environment light = loadEnvironment("studio");
+    for (const auto& [model, material] : {std::pair("sphere", "glass"), {"torus-knot", "gold"}}) {
+        Scene scene = sceneOf({model, material, 1.0, false});
+        if (scene.parts[0].name == "torus-knot") {
+            Light lamp;
+            lamp.direction = glm::normalize(glm::vec3(-1.0f, -2.0f, -0.5f));
+            lamp.intensity = glm::vec3(2.0f);
+            scene.lights.push_back(lamp);
+        }
+        Camera camera = framingCamera(scene, 16.0f / 9.0f);
+        camera.eye += glm::vec3(0.0f, 2.0f, 0.0f);
+        RenderOptions options = quick(8, 64);
+        options.background = Background::quad;
+        options.ground = boundsOf(scene).least.y;
+        const Image a = blocks(gl::render(scene, light, camera, options).radiance, 9);
+        options.samples = 256;
+        const Image b = blocks(trace::render(scene, light, camera, options).radiance, 9);
+        const Comparison comparison = compareImages(a, b);
+        fmt::print("{} on ground: RMSE {:.2f} codes over {} blocks\n", model, comparison.rmse8,
+                   a.width());
+        EXPECT_LT(comparison.rmse8, 1.0) << model << '\n' << report(comparison);
+        options.ground.reset();
+        const Image bare = blocks(trace::render(scene, light, camera, options).radiance, 9);
+        EXPECT_GT(compareImages(b, bare).rmse8, 5.0) << "no shadow to compare";
+    }
+}
+
 }  // namespace
 }  // namespace tukor

@@ -216,12 +216,12 @@ def test_panel(folder):
     # Where the widgets are: rows of 24 pixels with the font that the window prefers, 23 with its own.
     row = 1.0 if os.path.exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf") else 23 / 24
     exact = viewer.picture()
-    viewer.click((26, round(515 * row)))  # compare with Schlick's approximation
+    viewer.click((26, round(539 * row)))  # compare with Schlick's approximation
     half = viewer.picture()
     assert rmse(exact, half) > 1, "nothing is compared"
     viewer.drag((450, 380), (860, 380))  # past the ball
     assert rmse(exact, viewer.picture()) < 0.5 * rmse(exact, half), "the divider does not move"
-    viewer.click((26, round(515 * row)))
+    viewer.click((26, round(539 * row)))
     assert rmse(exact, viewer.picture()) < 0.5, "the comparison does not end, or the divider's drag turned the model"
     viewer.click((90, round(192 * row)))
     xdotool("type", "--delay", 60, "mirror:1")

@@ -137,6 +137,8 @@ void Panel::showLight(LightOptions& light) {
         light.environment = environmentText_;
     }
     describe(light, OptionWidgets());
+    bool stands = !light.ground.empty();
+    if (ImGui::Checkbox("ground", &stands)) light.ground = stands ? "lowest" : "";
 }
 
 PanelRequests Panel::show(const Session& session, SessionOptions& wanted,

@@ -177,8 +177,8 @@ void describe(Options& o, Visitor&& field) {
         "may be repeated");
     field("ground", o.ground, Placeholder{"Y|lowest"},
           "a ground at this height, or under the lowest point of the model: it shows the "
-          "environment behind it, with the shadows on it and the light that things throw there "
-          "(trace)");
+          "environment behind it, with the shadows on it and the light that things throw there; a "
+          "single sample of gl shows none");
 }
 
 template <OptionsOf<CameraOptions> Options, class Visitor>

@@ -220,12 +220,12 @@ std::vector<std::string> Session::warnings() const {
         const std::vector<std::string> open = closednessWarnings(scene_);
         all.insert(all.end(), open.begin(), open.end());
     }
-    if (!options_.light.ground.empty() && lookUps_ == LookUps::cube)
-        all.emplace_back("ground is not drawn by gl; --renderer trace shows it");
     const bool single = options_.quality.fidelity == Fidelity::single;
     const bool plain = std::any_of(scene_.parts.begin(), scene_.parts.end(), [&](const Part& part) {
         return part.material.dispersion > 0.0f && (single || part.material.finish);
     });
+    if (single && !options_.light.ground.empty() && lookUps_ == LookUps::cube)
+        all.emplace_back("gl draws no ground at --fidelity single; --renderer trace does");
     if (plain && lookUps_ == LookUps::cube)  // gl's
         all.emplace_back(
             "gl draws dispersion of smooth surfaces at --fidelity double and exact alone; "

@@ -62,7 +62,7 @@ TEST(Session, AddsLightsAndDispersionToTheModels) {
     EXPECT_TRUE(session.scene().lights.empty());
     EXPECT_FLOAT_EQ(session.scene().parts[0].material.dispersion, 2.0f * 20.0f / 55.3f);
     EXPECT_THAT(session.warnings(), testing::IsSupersetOf({HasSubstr("gl draws dispersion of"),
-                                                           HasSubstr("ground is not drawn")}));
+                                                           HasSubstr("gl draws no ground")}));
     options.light.ground = "deep";
     EXPECT_THAT(messageOf([&] { session.apply(options); }), HasSubstr("ground: 'deep'"));
 }

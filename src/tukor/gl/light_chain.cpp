@@ -1,5 +1,9 @@
 #include "tukor/gl/light_chain.h"
 
+#include <algorithm>
+
+#include "tukor/gl/table.h"
+
 namespace tukor::gl {
 
 namespace {
@@ -23,6 +27,9 @@ const std::uint64_t* uploadFaces(int level, int size, const std::uint64_t* texel
                         GL_HALF_FLOAT, texels);
     return texels;
 }
+
+constexpr std::size_t kLitDirections = 4096;  // as traced.frag has it
+constexpr int kLitWidth = 128;                // texels a row, two a direction
 
 }  // namespace
 
@@ -68,6 +75,27 @@ float LightChain::bindBlurred(int unit, float roughness) {
     }
     bindTo(unit, GL_TEXTURE_CUBE_MAP, backdrop_);
     return 0.0f;
+}
+
+glm::vec3 LightChain::bindGround(int unit, std::span<const LitDirection> lamps) {
+    if (ground_.id() == 0 || !std::ranges::equal(lamps, groundLamps_)) {
+        groundLamps_.assign(lamps.begin(), lamps.end());
+        std::vector<LitDirection> all =
+            source_.panorama ? litDirections(*source_.panorama, lamps, kLitDirections)
+                             : litDirections(*source_.cube, lamps, kLitDirections);
+        all.resize(kLitDirections);
+        groundIrradiance_ = glm::vec3(0.0f);
+        std::vector<glm::vec4> texels;
+        for (const LitDirection& one : all) {
+            const glm::vec3 irradiance = one.irradiance / scale_;
+            groundIrradiance_ += irradiance;
+            texels.emplace_back(one.direction, 0.0f);
+            texels.emplace_back(irradiance * static_cast<float>(kLitDirections), 0.0f);
+        }
+        ground_ = makeTable(GL_RGBA32F, GL_RGBA, GL_FLOAT, kLitWidth, texels.size(), texels.data());
+    }
+    bindTo(unit, GL_TEXTURE_2D, ground_);
+    return groundIrradiance_;
 }
 
 }  // namespace tukor::gl

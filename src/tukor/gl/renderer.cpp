@@ -25,6 +25,17 @@ glm::mat3 environmentFromWorld(float angle) {
     return {c, 0.0f, s, 0.0f, 1.0f, 0.0f, -s, 0.0f, c};
 }
 
+/// Directional lights that shine on ground, in the environment's axes; `factor` on their intensity.
+std::vector<LitDirection> sunsOnGround(const std::vector<Light>& lights, const glm::mat3& turn,
+                                       float factor) {
+    std::vector<LitDirection> suns;
+    for (const Light& light : lights)
+        if (light.kind == LightKind::directional && light.direction.y < 0.0f)
+            suns.push_back(
+                {turn * -light.direction, light.intensity * (factor * -light.direction.y)});
+    return suns;
+}
+
 void setState(bool depthTest) {
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -150,7 +161,7 @@ std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {
     const bool finished = std::all_of(materials_.begin(), materials_.end(),
                                       [](const Material& m) { return m.finish != nullptr; });
     std::vector<Look> looks = askedLooks(subject);
-    if (finished)  // nothing to trace through or by
+    if (finished && !subject.options.picture.ground)  // nothing to trace through or by
         for (Look& look : looks) look.fidelity = Fidelity::single;
     return looks;
 }
@@ -290,7 +301,7 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     // From there on a sample is small enough for few to graze: see docs/notes/rims.md.
     constexpr float kSplitFrom = 64.0f;
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
-    constexpr TracedDrawer::Units kUnits{7, 9, 10, 12};  // after the environment and the scene
+    constexpr TracedDrawer::Units kUnits{7, 9, 10, 12, 13};  // after the environment and the scene
     bindTexture(kUnits.sum, buffers_.sum());
     bindTexture(kUnits.sum + 1, buffers_.counts());
     if (finished) {
@@ -298,13 +309,24 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
         around.chain.bind(kUnits.chain);
     }
     if (firstHitsHelp(subject)) bindTexture(kUnits.firstHits, buffers_.firstHits());
+    const glm::mat3 turn = environmentFromWorld(picture.environmentRotation);
+    const float emissionFactor = 1.0f / radiancePerUnit(picture.environmentIntensity);
+    std::optional<TracedDrawer::Ground> ground;
+    if (picture.ground && picture.samples != 1) {
+        const glm::vec3 middle = bounds_.empty() ? glm::vec3(0.0f) : bounds_.centre();
+        const std::vector<LitDirection> suns =
+            sunsOnGround(lights_, turn, emissionFactor * around.texture.scale());
+        ground = {{middle.x, *picture.ground, middle.z},
+                  kGroundSize * std::max(bounds_.empty() ? 1.0f : bounds_.radius(), 1e-3f),
+                  around.chain.bindGround(kUnits.ground, suns)};
+        if (ground->irradiance == glm::vec3(0.0f)) ground.reset();
+    }
     const bool count = counting_ == Counting::all && !subject.options.comparison;
     traced_.draw(
         tracedScene_, around.texture,
-        {view, subject.window, picture, look.fidelity, look.fresnel,
-         environmentFromWorld(picture.environmentRotation), kFootprint / std::sqrt(samples),
-         picture.splitGrazing && samples >= kSplitFrom, frames_, centred(subject),
-         firstHitsHelp(subject), lights_, 1.0f / radiancePerUnit(picture.environmentIntensity)},
+        {view, subject.window, picture, look.fidelity, look.fresnel, turn,
+         kFootprint / std::sqrt(samples), picture.splitGrazing && samples >= kSplitFrom, frames_,
+         centred(subject), firstHitsHelp(subject), lights_, emissionFactor, ground},
         count ? Counting::all : Counting::none, kUnits,
         {look.left, 0, look.right - look.left, subject.window.height});
 }

@@ -66,6 +66,7 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     // A single sample would have a single colour, and flicker.
     const bool disperses = scene.disperses() && frame.options.samples != 1;
     if (disperses) defines += "#define DISPERSION\n";
+    if (frame.ground) defines += "#define GROUND\n";
     const Program& program = programFor(
         frame.fidelity, frame.fresnel,
         scene.finished() ? tracedFinishesShader() : shaders::tracedFrag, defines, counting);
@@ -86,6 +87,11 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
         if (!lamps.empty()) program.set("lamps[0]", lamps);
     }
     if (disperses) program.set("spectrum[0]", spectrumTable());
+    if (frame.ground) {
+        program.set("ground", glm::vec4(frame.ground->middle, frame.ground->halfWidth));
+        program.set("groundIrradiance", frame.ground->irradiance);
+        program.set("lit", units.ground);
+    }
     program.set("first", frame.number == 0 ? 1 : 0);
     program.set("frame", static_cast<std::uint32_t>(frame.number));
     program.set("centred", frame.centred ? 1 : 0);

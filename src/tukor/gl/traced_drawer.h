@@ -16,6 +16,12 @@ namespace tukor::gl {
 
 class TracedDrawer {
 public:
+    /// A square of ground, and how it is lit where nothing shadows it, in units of the frame.
+    struct Ground {
+        glm::vec3 middle;
+        float halfWidth;
+        glm::vec3 irradiance;
+    };
     /// One frame: `options` but with the fidelity and Fresnel form given beside it.
     struct Frame {
         const View& view;
@@ -31,14 +37,17 @@ public:
         bool firstHitsKnown;   // drawn by drawFirstHits() with the same view
         const std::vector<Light>& lights;
         float emissionFactor;  // from radiance to units of the frame
+        std::optional<Ground> ground;
     };
     /// Texture units of what the renderer has bound: the sum, its counts beside it, what was drawn
-    /// of surfaces with a finish, the light chain and its table, the first hits.
+    /// of surfaces with a finish, the light chain and its table, the first hits, what lights the
+    /// ground.
     struct Units {
         int sum;
         int raster;
         int chain;
         int firstHits;
+        int ground;
     };
     /// The region of the bound framebuffer to draw.
     struct Region {

@@ -13,8 +13,8 @@
 namespace tukor::gl {
 namespace {
 
-Environment white() {
-    Environment environment{"white", CubeMap(4), {}};
+Environment white(int faceSize = 4) {
+    Environment environment{"white", CubeMap(faceSize), {}};
     for (const CubeFace face : kCubeFaces)
         for (glm::vec3& texel : environment.radiance.texels(face)) texel = glm::vec3(1.0f);
     return environment;
@@ -45,6 +45,48 @@ double largestDistanceFromOne(const Image& image) {
         for (int i = 0; i < 3; ++i)
             largest = std::max(largest, std::abs(static_cast<double>(pixel[i]) - 1.0));
     return largest;
+}
+
+// The white furnace on ground: what things hide of the light on it comes through them.
+TEST(Traced, GroundUnderGlassInUniformLightIsInvisible) {
+    const Scene scene = sceneOf("sphere", "glass");
+    Camera camera = framingCamera(scene, 16.0f / 9.0f);
+    camera.eye.y += 2.0f;
+    RenderOptions options = tiny(Fidelity::exact);
+    options.samples = 64;
+    options.ground = -1.0f;
+    const Image image = render(scene, white(32), camera, options).radiance;
+    glm::dvec3 mean(0.0);
+    for (const glm::vec3& pixel : image.pixels()) mean += glm::dvec3(pixel);
+    EXPECT_NEAR(mean.y / static_cast<double>(image.pixels().size()), 1.0, 2e-3);
+    EXPECT_LT(largestDistanceFromOne(image), 0.3);
+    EXPECT_GT(largestDistanceFromOne(image), 0.01) << "no ground";
+}
+
+// Where no background is drawn shadows are what covers it, and light is added to it.
+TEST(Traced, ShadowsCoverWhatIsNoBackground) {
+    const Scene scene = sceneOf("sphere", "silver");
+    Camera camera = framingCamera(scene, 16.0f / 9.0f);
+    camera.eye.y += 2.0f;
+    RenderOptions options = tiny(Fidelity::exact);
+    options.background = Background::none;
+    options.samples = 32;
+    options.ground = -1.0f;
+    const Image with = render(scene, white(), camera, options).radiance;
+    options.ground.reset();
+    const Image without = render(scene, white(), camera, options).radiance;
+    float most = 0.0f, least = 1.0f;
+    for (std::size_t i = 0; i < with.alpha.size(); ++i) {
+        if (without.alpha[i] > 0.0f) continue;
+        most = std::max(most, with.alpha[i]);
+        least = std::min(least, with.alpha[i]);
+    }
+    EXPECT_GT(most, 0.5f);
+    EXPECT_NEAR(least, 0.0f, 1e-3f);
+    options.samples = 1;
+    const Image single = render(scene, white(), camera, options).radiance;
+    options.ground = -1.0f;
+    EXPECT_EQ(render(scene, white(), camera, options).radiance.alpha, single.alpha);
 }
 
 TEST(Traced, ClearSolidsInUniformLightAreInvisible) {

@@ -56,7 +56,7 @@ struct RenderOptions {
     // reckons it, one is, by chance; 0: always both (trace only).
     float splitGain = 0.01f;
     std::optional<float> ground;  // height in m of a plane that shows the environment behind it,
-                                  // but for shadows on it and light that things throw (trace only)
+                                  // but for shadows on it and light that things throw
     // Whether a camera sample that grazes a curved surface is taken again as 16 finer ones: a pixel
     // at the rim of a glass ball shows a wide strip of the environment. trace: where `samples`
     // alone is given; gl: from 64 samples on.
@@ -68,6 +68,9 @@ struct RenderOptions {
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
+
+/// Half the width of the ground, in radii of the scene.
+inline constexpr float kGroundSize = 50.0f;
 
 /// Whether the environment is seen blurred beside the scene.
 [[nodiscard]] inline bool blursBackground(const RenderOptions& options) noexcept {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tukor/scene/finish.h"
+#include "tukor/scene/render_options.h"
 
 namespace tukor::trace {
 
@@ -13,7 +14,7 @@ Scene withGround(const Scene& scene, float height) {
     Scene all = scene;
     const Bounds bounds = boundsOf(scene);
     const glm::vec3 middle = bounds.empty() ? glm::vec3(0.0f) : bounds.centre();
-    const float half = 50.0f * std::max(bounds.empty() ? 1.0f : bounds.radius(), 1e-3f);
+    const float half = kGroundSize * std::max(bounds.empty() ? 1.0f : bounds.radius(), 1e-3f);
     Mesh mesh;
     for (const float z : {-half, half})
         for (const float x : {-half, half}) {

@@ -3,7 +3,8 @@
 // triangles of the scene. The host of tukor/transport/path_tree.h in GLSL.
 //
 // FIDELITY and FRESNEL are those of the transport: compilers leave out the rest. COUNTING: 1 adds a second output with what
-// happened on the way. DISPERSION: some media refract each wavelength in another way. FINISHES: there are surfaces that are not ideally smooth; what the camera sees of them was drawn before.
+// happened on the way. DISPERSION: some media refract each wavelength in another way. GROUND: there is
+// one, see below. FINISHES: there are surfaces that are not ideally smooth; what the camera sees of them was drawn before.
 #include "tukor/gl/shaders/environment.glsl"
 #include "tukor/geometry/bvh_traversal.h"
 #include "tukor/geometry/sphere_hit.h"
@@ -32,6 +33,48 @@ uniform usampler2D surfaces;  // nine texels a part, see traced_scene.cpp and fi
 const int kFirstSphere = 1 << 28;
 uniform int sphereCount;
 uniform vec4 spheres[16];
+
+#ifdef GROUND
+// The ground shows what is behind it, less what things hide of the light on it, and with what they throw on it. For both a ray
+// leaves it: one asks whether light from somewhere arrives, one catches what comes from things.
+uniform vec4 ground;            // the middle of a square, half its width
+uniform vec3 groundIrradiance;  // where nothing shadows it
+uniform sampler2D lit;          // 4096 directions from which it is lit, and the irradiance if all were as that
+const int kAsking = -2;         // in place of what those rays leave
+const int kCatching = -3;
+const float kPi = 3.14159265;
+
+// Metres until a ray meets it from above; negative: not at all.
+float groundDistance(Branch ray) {
+    if (ray.media != 0u || !(ray.direction.y < 0.0)) return -1.0;
+    float t = (ground.y - ray.origin.y) / ray.direction.y;
+    vec3 there = abs(ray.origin + t * ray.direction - ground.xyz);
+    return max(there.x, there.z) < ground.w ? t : -1.0;
+}
+
+// Asks for one of the directions from which it is lit.
+Branch askingRay(Branch at, uint place) {
+    ivec2 texel = ivec2(2u * (place & 63u), place >> 6u & 63u);
+    at.direction = texelFetch(lit, texel, 0).xyz * environmentFromWorld;
+    at.throughput *= texelFetch(lit, texel + ivec2(1, 0), 0).rgb;
+    at.skip = kAsking;
+    return at;
+}
+
+// In proportion to the cosine.
+Branch catchingRay(Branch at, vec2 u) {
+    float angle = 2.0 * kPi * u.y;
+    at.direction = vec3(sqrt(u.x) * cos(angle), sqrt(max(1.0 - u.x, 1e-8)), sqrt(u.x) * sin(angle));
+    at.throughput *= kPi;
+    at.footprint = thinFootprint();
+    float spread = min(footprintScale * sqrt(kPi / at.direction.y), kWidestFootprint);
+    vec3 side = normalize(cross(abs(at.direction.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0), at.direction));
+    at.footprint.directionX = spread * side;
+    at.footprint.directionY = spread * cross(at.direction, side);
+    at.skip = kCatching;
+    return at;
+}
+#endif
 
 uniform int rayBudget;
 uniform int maxDepth;
@@ -199,8 +242,8 @@ void main() {
     if (centred) part = PixelPart(vec2(0.5), vec2(footprintScale));
 #ifdef DISPERSION
     wavelength = 0.0;
-    float inSpectrum = spectrumSample(seed, frame);
 #endif
+    uint pixelsSeed = seed, index = frame;  // of what the samples of a pixel share
     seed = sampleSeed(seed, frame);
 
     Tree tree = startTree(cameraRay(pixel, part), seed, 0u);
@@ -210,6 +253,10 @@ void main() {
     vec4 radiance = vec4(0.0, 0.0, 0.0, 1.0);
     vec4 happened = vec4(0.0);
     bool direct = true;  // the camera sees it, through nothing but what was drawn before
+#ifdef GROUND
+    Branch standing = tree.branch;  // on the ground, of the throughput of its irradiance
+    bool shadow = false;            // what is asked for is how much is seen of what is behind
+#endif
 #ifdef FINISHES
     vec4 drawn = eyeMedia == 0u ? texelFetch(raster, pixel, 0) : vec4(0.0);
     if (drawn.a >= 1.0) tree.alive = false;
@@ -222,22 +269,51 @@ void main() {
             tree = startTree(cameraRay(pixel, finerPart), seed, uint(finer));
 #ifdef DISPERSION
             wavelength = 0.0;
-            inSpectrum = spectrumSample(seed, uint(finer));
 #endif
+            pixelsSeed = seed;
+            index = uint(finer);
             finer++;
             rounding = exactSoFar();
             direct = true;
         }
         Deposits deposits = noDeposits();
+#ifdef GROUND
+        bool grounded = false;
+#endif
         if (spent(tree, settings)) {
             deposits = cutBranch(tree);
             rounding = exactSoFar();
+#ifdef GROUND
+            if (tree.branch.skip < -1) deposits.count = 0;
+#endif
         } else {
             tree.rays++;
             bool rasterised = firstHitsKnown && tree.rays == 1 && finer == 0;
             int known = rasterised ? texelFetch(firstHits, pixel, 0).x : kUnknown;
             BvhHit found = nearestHit(tree.branch, rounding.beyond, known);
             bool any = found.triangle >= 0;
+#ifdef GROUND
+            if (tree.branch.skip == kAsking) {
+                if (any) {
+                    if (shadow) radiance.a += weight * dot(tree.branch.throughput, vec3(1.0 / 3.0));
+                    else radiance.rgb -= weight * tree.branch.throughput;
+                }
+                shadow = false;
+                uint own = mixedBits(pixelsSeed ^ uint(tree.rays) * 0x9e3779b9u);
+                tree.branch = catchingRay(standing, pixelSample(own, owenScrambled(index, mixedBits(own))));
+                continue;
+            }
+            float toGround = groundDistance(tree.branch);
+            grounded = toGround > 0.0 && (!any || toGround < found.t);
+            if (grounded) {
+                standing = tree.branch;
+                standing.footprint = footprintAtSurface(standing.footprint, standing.direction, toGround, vec3(0.0, 1.0, 0.0));
+                standing.origin += toGround * standing.direction;
+                standing.depth++;
+                addDeposit(deposits, depositOf(standing));
+                rounding = exactSoFar();
+            } else {
+#endif
             SurfaceHit hit = surfaceHit(found, tree.branch);
             Encounter met = encounter(tree.branch, hit);
             bool agrees = any ? met.consistent : tree.branch.media == 0u;
@@ -255,7 +331,7 @@ void main() {
             rounding = exactSoFar();
 #ifdef DISPERSION
             if (any && hit.kind == kDielectric && wavelength == 0.0 && dispersionOf(met.from) + dispersionOf(met.to) > 0.0) {
-                float place = inSpectrum * 64.0;
+                float place = spectrumSample(pixelsSeed, index) * 64.0;
                 int spectrumPart = int(place);
                 vec4 chosen = mix(spectrum[spectrumPart], spectrum[spectrumPart + 1], place - float(spectrumPart));
                 wavelength = chosen.x;
@@ -288,15 +364,45 @@ void main() {
                 deposits = scatter(tree, hit, met, mediumAt(met.from), mediumAt(met.to), settings);
             } else {
                 bool nothing = tree.branch.depth == 0 && direct && !background;
+#ifdef GROUND
+                bool counted = tree.branch.skip == kCatching;
+#endif
                 deposits = escape(tree);
+#ifdef GROUND
+                if (counted) deposits.count = 0;
+#endif
                 if (nothing) {
                     radiance.a -= weight;
                     deposits.count = 0;
                 }
             }
+#ifdef GROUND
+            }
+#endif
         }
-        if (deposits.count > 0) radiance.rgb += weight * radianceOf(deposits.first);
-        if (deposits.count > 1) radiance.rgb += weight * radianceOf(deposits.second);
+        vec3 found = vec3(0.0);
+        if (deposits.count > 0) found += radianceOf(deposits.first);
+        if (deposits.count > 1) found += radianceOf(deposits.second);
+#ifdef GROUND
+        if (grounded) {
+            vec3 E = max(groundIrradiance, vec3(1e-20));
+            bool seen = standing.depth == 1 && direct;  // by the camera
+            // No ground that is not the background itself reflects more than it gets.
+            standing.throughput = (seen ? found : min(found, standing.throughput * E / kPi)) / E;
+            tree.branch = standing;
+            if (!seen && heaviness(found) < weightCutoff) endBranch(tree);
+            shadow = seen && !background;
+            if (shadow) {
+                radiance.a -= weight;
+                found = vec3(0.0);
+                tree.branch.throughput = 1.0 / E;
+            }
+            uint own = mixedBits(pixelsSeed ^ uint(tree.rays) * 0x85ebca6bu);
+            tree.branch = askingRay(tree.branch, index ^ own >> 20u);
+            direct = false;
+        }
+#endif
+        radiance.rgb += weight * found;
     }
 
 #ifdef FINISHES
