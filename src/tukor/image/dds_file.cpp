@@ -120,7 +120,7 @@ Header readHeader(ByteReader& reader, std::string_view name) {
         if (!header.layout)
             throw Error(
                 fmt::format("{}: DXGI format {} is not read; known are float, half, RGB9E5, "
-                            "R11G11B10 and 8-bit RGBA",
+                            "R11G11B10, BC6H and 8-bit RGBA",
                             name, dxgi));
         return header;
     }
@@ -133,7 +133,7 @@ Header readHeader(ByteReader& reader, std::string_view name) {
     if (!header.layout)
         throw Error(
             fmt::format("{}: DDS with {} is not read; known are float, half, RGB9E5, "
-                        "R11G11B10 and 8-bit RGBA",
+                        "R11G11B10, BC6H and 8-bit RGBA",
                         name, describeFormat(format)));
     return header;
 }

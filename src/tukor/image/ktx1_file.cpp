@@ -57,7 +57,7 @@ TextureFile decodeKtx1(std::span<const std::byte> bytes, std::string_view name) 
     if (!layout)
         throw Error(
             fmt::format("{}: KTX with internal format {:#x}, format {:#x} and type {:#x} is "
-                        "not read; known are float, half, RGB9E5, R11G11B10 and 8-bit RGBA",
+                        "not read; known are float, half, RGB9E5, R11G11B10, BC6H and 8-bit RGBA",
                         name, internal, format, type));
     checkTextureShape(name, shape);
     std::uint64_t total = 0;

@@ -73,7 +73,7 @@ TextureFile decodeKtx2(std::span<const std::byte> bytes, std::string_view name) 
     if (!layout)
         throw Error(
             fmt::format("{}: KTX2 with Vulkan format {} is not read; known are float, half, "
-                        "RGB9E5, R11G11B10 and 8-bit RGBA",
+                        "RGB9E5, R11G11B10, BC6H and 8-bit RGBA",
                         name, format));
     checkTextureShape(name, shape);
     if (scheme == kZstd)

@@ -61,6 +61,10 @@ std::vector<Sample> samplesOf(const TexelLayout& layout) {
             for (std::uint32_t c = 0; c < 4; ++c)
                 samples.push_back({8 * c, 8, c < 3 ? c : kAlpha | kLinear, 0, 255});
             break;
+        case TexelCode::bc6h:
+        case TexelCode::signedBc6h:
+            samples = {{0, 128, 0 | kFloat, 0, kOne}};
+            break;
     }
     return samples;
 }

@@ -30,6 +30,9 @@ constexpr TexelLayout kLayouts[] = {
     {TexelCode::unorm8, 4, 4, true, 87, 44, 0, 0, 0, 0},
     {TexelCode::srgb8, 4, 4, true, 93, 0, 0, 0, 0, 0},  // B8G8R8X8
     {TexelCode::unorm8, 4, 4, true, 88, 0, 0, 0, 0, 0},
+    {TexelCode::bc6h, 1, 16, false, 95, 143, 0x8e8f, 0, 0, 1, 4},
+    {TexelCode::bc6h, 1, 16, false, 94, 0, 0, 0, 0, 0, 4},  // typeless
+    {TexelCode::signedBc6h, 1, 16, false, 96, 144, 0x8e8e, 0, 0, 1, 4},
 };
 
 template <class T>
@@ -110,6 +113,8 @@ glm::vec3 unpack(const TexelLayout& layout, const std::byte* from) {
         }
         case TexelCode::unorm8:
         case TexelCode::srgb8:
+        case TexelCode::bc6h:
+        case TexelCode::signedBc6h:
             break;
     }
     glm::vec3 value;
@@ -144,6 +149,7 @@ const TexelLayout& layoutOf(TexelFormat format) noexcept {
 }
 
 void unpackTexels(const TexelLayout& layout, const std::byte* from, std::span<glm::vec3> out) {
+    TUKOR_ASSERT(layout.blockSize == 1);
     for (glm::vec3& value : out) {
         value = unpack(layout, from);
         from += layout.bytes;
@@ -152,6 +158,7 @@ void unpackTexels(const TexelLayout& layout, const std::byte* from, std::span<gl
 
 void packTexels(const TexelLayout& layout, std::span<const glm::vec3> from,
                 std::vector<std::byte>& out) {
+    TUKOR_ASSERT(layout.blockSize == 1);
     for (const glm::vec3& value : from) {
         switch (layout.code) {
             case TexelCode::float32:
@@ -173,6 +180,9 @@ void packTexels(const TexelLayout& layout, std::span<const glm::vec3> from,
             case TexelCode::srgb8:
                 for (int c = 0; c < 3; ++c) append(out, srgb8(value[c]));
                 append(out, std::uint8_t{255});
+                break;
+            case TexelCode::bc6h:
+            case TexelCode::signedBc6h:
                 break;
         }
     }

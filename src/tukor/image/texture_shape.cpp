@@ -6,16 +6,23 @@
 
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
+#include "tukor/image/bc6h.h"
 #include "tukor/image/image_size.h"
 
 namespace tukor {
 
 namespace {
 
+/// Texels, where blocks are single ones; blocks at the edge count whole.
+std::uint64_t blocksAlong(std::uint32_t size, const TexelLayout& layout) {
+    const auto block = static_cast<std::uint64_t>(layout.blockSize);
+    return (size + block - 1) / block;
+}
+
 std::uint64_t rowBytes(const TextureShape& shape, const TexelLayout& layout, std::uint32_t level,
                        std::uint32_t alignment) {
-    const std::uint64_t bytes =
-        std::uint64_t{levelSize(shape.width, level)} * static_cast<std::uint64_t>(layout.bytes);
+    const std::uint64_t bytes = blocksAlong(levelSize(shape.width, level), layout) *
+                                static_cast<std::uint64_t>(layout.bytes);
     return (bytes + alignment - 1) / alignment * alignment;
 }
 
@@ -46,7 +53,8 @@ void checkTextureShape(std::string_view name, const TextureShape& shape) {
 
 std::uint64_t faceBytes(const TextureShape& shape, const TexelLayout& layout, std::uint32_t level,
                         std::uint32_t rowAlignment) noexcept {
-    return rowBytes(shape, layout, level, rowAlignment) * levelSize(shape.height, level);
+    return rowBytes(shape, layout, level, rowAlignment) *
+           blocksAlong(levelSize(shape.height, level), layout);
 }
 
 Image unpackFace(const TextureShape& shape, const TexelLayout& layout, std::uint32_t level,
@@ -55,6 +63,10 @@ Image unpackFace(const TextureShape& shape, const TexelLayout& layout, std::uint
     const std::uint64_t stride = rowBytes(shape, layout, level, rowAlignment);
     Image image(static_cast<int>(levelSize(shape.width, level)),
                 static_cast<int>(levelSize(shape.height, level)));
+    if (layout.blockSize > 1) {  // whose 16 bytes need no padding
+        decodeBc6h(bytes, layout.code == TexelCode::bc6h ? Bc6hSign::none : Bc6hSign::one, image);
+        return image;
+    }
     const auto width = static_cast<std::size_t>(image.width());
     parallelFor(0, image.height(), 64, [&](int begin, int end) {
         for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)

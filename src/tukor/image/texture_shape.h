@@ -26,7 +26,7 @@ void checkTextureShape(std::string_view name, const TextureShape& shape);
 
 [[nodiscard]] std::uint32_t levelSize(std::uint32_t size, std::uint32_t level) noexcept;
 
-/// Bytes of one face of a level whose rows are padded to `rowAlignment`.
+/// Bytes of one face of a level whose rows, of texels or of blocks, are padded to `rowAlignment`.
 [[nodiscard]] std::uint64_t faceBytes(const TextureShape& shape, const TexelLayout& layout,
                                       std::uint32_t level, std::uint32_t rowAlignment) noexcept;
 
