@@ -66,6 +66,12 @@ def test_openimageio(folder):
     for name in ("a.png", "a.jpg"):
         run(TUKOR, "environment", "convert", f"{folder}/a.exr", "-o", f"{folder}/{name}")
         assert "256 x  128, 3 channel" in run("oiiotool", "--info", f"{folder}/{name}"), name
+    # BC6H: every face of a cube map as we decode it ourselves, bit for bit.
+    run(TUKOR, "environment", "convert", f"{folder}/a.exr", "-o", f"{folder}/cube.dds", "--format", "bc6h", "--size", "64")
+    run(TUKOR, "environment", "convert", f"{folder}/cube.dds", "-o", f"{folder}/ours_{{}}.exr", "--format", "float")
+    for i, face in enumerate(("px", "nx", "py", "ny", "pz", "nz")):
+        run("oiiotool", f"{folder}/cube.dds", "--cut", f"64x64+0+{64 * i}", "-d", "float", "-o", f"{folder}/theirs.exr")
+        run("oiiotool", f"{folder}/theirs.exr", f"{folder}/ours_{face}.exr", "--diff")
 
 
 def test_blender(folder):

@@ -22,6 +22,7 @@ constexpr std::uint32_t kPixelFormatBytes = 32;
 constexpr std::uint32_t kCapsHeightWidthPixelFormat = 0x1 | 0x2 | 0x4 | 0x1000;
 constexpr std::uint32_t kPitch = 0x8;
 constexpr std::uint32_t kMipCount = 0x20000;
+constexpr std::uint32_t kLinearSize = 0x80000;
 constexpr std::uint32_t kFourCc = 0x4;
 constexpr std::uint32_t kRgb = 0x40;
 constexpr std::uint32_t kComplex = 0x8;
@@ -169,10 +170,14 @@ std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels)
     ByteWriter out;
     out.u32(kMagic);
     out.u32(kHeaderBytes);
-    out.u32(kCapsHeightWidthPixelFormat | kPitch | (mips ? kMipCount : 0));
+    // Bytes of a row, or of the whole first level where it is in blocks.
+    const bool blocks = layout.blockSize > 1;
+    const TextureShape shape{.width = static_cast<std::uint32_t>(texture.width),
+                             .height = blocks ? static_cast<std::uint32_t>(texture.height) : 1};
+    out.u32(kCapsHeightWidthPixelFormat | (blocks ? kLinearSize : kPitch) | (mips ? kMipCount : 0));
     out.u32(static_cast<std::uint32_t>(texture.height));
     out.u32(static_cast<std::uint32_t>(texture.width));
-    out.u32(static_cast<std::uint32_t>(texture.width * layout.bytes));
+    out.u32(static_cast<std::uint32_t>(faceBytes(shape, layout, 0, 1)));
     out.u32(0);
     out.u32(static_cast<std::uint32_t>(texture.levels));
     for (int i = 0; i < 11; ++i) out.u32(0);
@@ -190,7 +195,7 @@ std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels)
     out.u32(3);  // alpha is opaque
     for (int face = 0; face < texture.faces; ++face)
         for (int level = 0; level < texture.levels; ++level)
-            packTexels(layout, texture.image(level, face).pixels(), out.data());
+            packFace(layout, texture.image(level, face), out.data());
     return std::move(out.data());
 }
 

@@ -17,6 +17,7 @@ namespace {
 // [Khronos, KTX File Format Specification 1.0]
 constexpr std::string_view kIdentifier("\xabKTX 11\xbb\r\n\x1a\n", 12);
 constexpr std::uint32_t kSameEndian = 0x04030201;
+constexpr std::uint32_t kRgb = 0x1907;
 constexpr std::uint32_t kRowAlignment = 4;  // as glPixelStorei has it at first
 
 std::uint64_t paddedTo4(std::uint64_t size) {
@@ -91,7 +92,8 @@ std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels
     out.u32(layout.glTypeSize);
     out.u32(layout.glFormat);
     out.u32(layout.glInternal);
-    out.u32(layout.glFormat);  // the base format: RGB or RGBA
+    // The base format: RGB or RGBA. What is in blocks has no other.
+    out.u32(layout.blockSize > 1 ? kRgb : layout.glFormat);
     out.u32(static_cast<std::uint32_t>(texture.width));
     out.u32(static_cast<std::uint32_t>(texture.height));
     out.u32(0);
@@ -102,10 +104,12 @@ std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels
     out.bytes(values.data());
     for (int level = 0; level < texture.levels; ++level) {
         // Every layout that is written has texels of a multiple of four bytes: no padding.
-        const std::size_t pixels = texture.image(level, 0).pixels().size();
-        out.u32(static_cast<std::uint32_t>(pixels * static_cast<std::size_t>(layout.bytes)));
+        const TextureShape shape{.width = static_cast<std::uint32_t>(texture.width),
+                                 .height = static_cast<std::uint32_t>(texture.height)};
+        out.u32(static_cast<std::uint32_t>(
+            faceBytes(shape, layout, static_cast<std::uint32_t>(level), kRowAlignment)));
         for (int face = 0; face < texture.faces; ++face)
-            packTexels(layout, texture.image(level, face).pixels(), out.data());
+            packFace(layout, texture.image(level, face), out.data());
     }
     return std::move(out.data());
 }

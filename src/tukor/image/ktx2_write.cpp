@@ -7,6 +7,7 @@
 #include "tukor/image/ktx_file.h"
 #include "tukor/image/ktx_values.h"
 #include "tukor/image/texel_format.h"
+#include "tukor/image/texture_shape.h"
 
 namespace tukor {
 
@@ -71,16 +72,18 @@ std::vector<Sample> samplesOf(const TexelLayout& layout) {
 
 /// What the texels are, for readers that do not know Vulkan's numbers.
 void appendDescriptor(ByteWriter& out, const TexelLayout& layout, bool supercompressed) {
-    constexpr std::uint32_t kRgbsda = 1;  // colour model
-    constexpr std::uint32_t kBt709 = 1;   // primaries
+    constexpr std::uint32_t kRgbsda = 1;  // colour models
+    constexpr std::uint32_t kBc6h = 133;
+    constexpr std::uint32_t kBt709 = 1;  // primaries
     const std::vector<Sample> samples = samplesOf(layout);
     const auto block = static_cast<std::uint32_t>(24 + 16 * samples.size());
     const std::uint32_t transfer = layout.code == TexelCode::srgb8 ? 2 : 1;
     out.u32(block + 4);
     out.u32(0);                // Khronos, basic
     out.u32(2 | block << 16);  // version 1.3
-    out.u32(kRgbsda | kBt709 << 8 | transfer << 16);
-    out.u32(0);  // blocks of one texel
+    out.u32((layout.blockSize > 1 ? kBc6h : kRgbsda) | kBt709 << 8 | transfer << 16);
+    const auto edge = static_cast<std::uint32_t>(layout.blockSize - 1);
+    out.u32(edge | edge << 8);  // the size of a block, less one
     out.u32(supercompressed ? 0 : static_cast<std::uint32_t>(layout.bytes));
     out.u32(0);
     for (const Sample& sample : samples) {
@@ -142,7 +145,7 @@ std::vector<std::byte> encodeKtx2(const TextureFile& texture, TexelFormat texels
     for (int level = texture.levels - 1; level >= 0; --level) {
         std::vector<std::byte> data;
         for (int face = 0; face < texture.faces; ++face)
-            packTexels(layout, texture.image(level, face).pixels(), data);
+            packFace(layout, texture.image(level, face), data);
         const std::size_t size = data.size();
         if (zstd)
             data = compressed(data);

@@ -144,6 +144,8 @@ const TexelLayout& layoutOf(TexelFormat format) noexcept {
             return kLayouts[5];
         case TexelFormat::rgba8:
             return kLayouts[6];
+        case TexelFormat::bc6h:
+            return kLayouts[14];
     }
     return kLayouts[0];
 }

@@ -32,9 +32,10 @@ struct TextureFile {
 /// True when the bytes start as one of these formats does.
 [[nodiscard]] bool isTexture(std::span<const std::byte> bytes) noexcept;
 
-/// Reads float, half, RGB9E5, R11G11B10 and 8-bit texels, sRGB or linear; KTX2 plain or in zstd.
+/// Reads float, half, RGB9E5, R11G11B10, BC6H and 8-bit texels, sRGB or linear; KTX2 plain or in
+/// zstd.
 ///
-/// Block-compressed, array and volume textures are refused by name. Throws Error.
+/// Other block-compressed, array and volume textures are refused by name. Throws Error.
 [[nodiscard]] TextureFile loadTexture(const std::filesystem::path& path);
 [[nodiscard]] TextureFile decodeTexture(std::span<const std::byte> bytes, std::string_view name);
 
@@ -46,14 +47,16 @@ enum class TexelFormat {
     rgb9e5,      // to 65408, error 1 / 512 of the largest component
     r11g11b10f,  // to 64512, relative error 1 / 128, blue 1 / 64
     rgba8,       // sRGB, clipped to [0, 1]
+    bc6h,        // to 65504; blocks of 4 x 4 at a byte a texel, see bc6h.h
 };
 
-inline constexpr std::array<std::pair<TexelFormat, std::string_view>, 5> kTexelFormatSpellings{{
+inline constexpr std::array<std::pair<TexelFormat, std::string_view>, 6> kTexelFormatSpellings{{
     {TexelFormat::rgba32f, "float"},
     {TexelFormat::rgba16f, "half"},
     {TexelFormat::rgb9e5, "rgb9e5"},
     {TexelFormat::r11g11b10f, "r11g11b10"},
     {TexelFormat::rgba8, "rgba8"},
+    {TexelFormat::bc6h, "bc6h"},
 }};
 
 enum class Supercompression { none, zstd };

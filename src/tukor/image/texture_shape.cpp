@@ -76,6 +76,13 @@ Image unpackFace(const TextureShape& shape, const TexelLayout& layout, std::uint
     return image;
 }
 
+void packFace(const TexelLayout& layout, const Image& image, std::vector<std::byte>& out) {
+    if (layout.blockSize > 1)
+        encodeBc6h(image, out);
+    else
+        packTexels(layout, image.pixels(), out);
+}
+
 TextureFile emptyTexture(const TextureShape& shape) {
     TextureFile texture;
     texture.width = static_cast<int>(shape.width);

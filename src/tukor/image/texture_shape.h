@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "tukor/image/texel_format.h"
 #include "tukor/image/texture_file.h"
@@ -34,6 +35,9 @@ void checkTextureShape(std::string_view name, const TextureShape& shape);
 [[nodiscard]] Image unpackFace(const TextureShape& shape, const TexelLayout& layout,
                                std::uint32_t level, std::uint32_t rowAlignment,
                                std::span<const std::byte> bytes);
+
+/// Appends one face of a level, as unpackFace reads it where rows are not padded.
+void packFace(const TexelLayout& layout, const Image& image, std::vector<std::byte>& out);
 
 /// A texture of the shape with room for its pictures, which are empty.
 [[nodiscard]] TextureFile emptyTexture(const TextureShape& shape);
