@@ -166,6 +166,7 @@ def test_three(folder):
     write("half.ktx2", "--size", "64")
     write("float.ktx2", "--size", "64", "--format", "float")
     write("zstd.ktx2", "--size", "64", "--compression", "zstd")
+    write("bc6h.dds", "--size", "64", "--format", "bc6h")
     print(run("node", f"{HERE}/three_loaders.mjs", f"{folder}/package", folder),
           end="")
 

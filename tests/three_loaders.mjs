@@ -2,7 +2,7 @@
 //
 // usage: node three_loaders.mjs THREE FOLDER
 // THREE: the unpacked npm package `three`. FOLDER: expected.exr, the same in half.exr and a.hdr; a cube map in half.ktx2,
-// float.ktx2, zstd.ktx2 and, as floats, in face_px.exr to face_nz.exr.
+// float.ktx2, zstd.ktx2, bc6h.dds and, as floats, in face_px.exr to face_nz.exr.
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { resolve } from 'node:path';
@@ -71,4 +71,13 @@ for (const [file, limit] of [['half.ktx2', 2 ** -11], ['float.ktx2', 1e-6], ['zs
     check(`${file} ${face}`, pixels({ data: texels, width, height }), readExr(`face_${face}.exr`), limit);
   });
 }
+
+// BC6H: DDSLoader hands on the blocks of a cube map as they lie in the file, face by face with all levels.
+const { RGB_BPTC_UNSIGNED_Format } = await import(`${root}build/three.module.js`);
+const dds = (await loader('DDSLoader')).parse(bytes('bc6h.dds'), true);
+const blocks = Buffer.concat(dds.mipmaps.map(({ data }) => data));
+const whole = dds.format === RGB_BPTC_UNSIGNED_Format && dds.isCubemap && dds.mipmaps.length === 6 * dds.mipmapCount &&
+  blocks.equals(Buffer.from(bytes('bc6h.dds')).subarray(148));
+console.log(`bc6h.dds: ${whole ? 'its blocks' : 'something else'}`);
+failed ||= !whole;
 if (failed) process.exit(1);

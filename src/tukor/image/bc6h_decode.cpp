@@ -12,13 +12,13 @@ namespace tukor {
 namespace {
 
 /// Index of a mode by the lowest five bits of a block, of which it may use two; -1 where reserved.
-constexpr std::array<std::int8_t, 32> kModeOf = [] {
-    std::array<std::int8_t, 32> modes{};
+constexpr std::array<int, 32> kModeOf = [] {
+    std::array<int, 32> modes{};
     for (std::uint32_t low = 0; low < 32; ++low) {
         modes[low] = -1;
         for (std::size_t i = 0; i < kBc6hModes.size(); ++i)
             if ((low & ((1u << kBc6hModes[i].modeBits) - 1u)) == kBc6hModes[i].number)
-                modes[low] = static_cast<std::int8_t>(i);
+                modes[low] = static_cast<int>(i);
     }
     return modes;
 }();
@@ -125,18 +125,18 @@ void decodeBc6h(std::span<const std::byte> blocks, Bc6hSign sign, Image& image) 
     parallelFor(0, (image.height() + 3) / 4, 16, [&](int begin, int end) {
         for (int y = begin; y < end; ++y)
             for (int x = 0; x < across; ++x) {
-                const std::size_t at =
-                    (static_cast<std::size_t>(y) * static_cast<std::size_t>(across) +
-                     static_cast<std::size_t>(x)) *
-                    kBc6hBytes;
+                const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(across);
+                const std::size_t at = (row + static_cast<std::size_t>(x)) * kBc6hBytes;
                 const Bc6hTexels texels =
                     decodeBc6hBlock(blocks.subspan(at).first<kBc6hBytes>(), sign);
-                for (int row = 0; row < std::min(4, image.height() - 4 * y); ++row)
-                    for (int column = 0; column < std::min(4, image.width() - 4 * x); ++column) {
-                        const auto& bits = texels[static_cast<std::size_t>(4 * row + column)];
-                        image.at(4 * x + column, 4 * y + row) = {
-                            floatFromHalf(bits[0]), floatFromHalf(bits[1]), floatFromHalf(bits[2])};
-                    }
+                for (std::size_t i = 0; i < 16; ++i) {
+                    const int column = 4 * x + static_cast<int>(i % 4);
+                    const int line = 4 * y + static_cast<int>(i / 4);
+                    if (column < image.width() && line < image.height())
+                        image.at(column, line) = {floatFromHalf(texels[i][0]),
+                                                  floatFromHalf(texels[i][1]),
+                                                  floatFromHalf(texels[i][2])};
+                }
             }
     });
 }

@@ -1,5 +1,6 @@
 // Quantized endpoints of a BC6H block for given indices: the least squared error a mode can hold.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>

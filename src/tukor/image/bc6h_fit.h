@@ -1,6 +1,7 @@
 // One BC6H block in one partition: endpoints by least squares in the modes that can hold them.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "tukor/image/bc6h_partition.h"
