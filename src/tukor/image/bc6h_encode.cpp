@@ -20,19 +20,19 @@ constexpr int kMostPartitions = 4;
 constexpr float kMostHalf = 65504.0f;
 
 /// The middle of what decodes to a half: the decoder takes 31 / 64 and drops the fraction.
-float targetOf(std::uint16_t half) noexcept {
-    return (64.0f * static_cast<float>(half) + 32.0f) / 31.0f;
+float targetOf(float half) noexcept {
+    return (64.0f * half + 32.0f) / 31.0f;
 }
 
-/// Differences of halves' bits are differences of logarithms. What they are worth falls with the
-/// square root of a texel's radiance below the block's brightest, else lamps would lose half of
-/// their power to texels that they outshine; and with that of a channel below its texels'
-/// strongest.
+/// Differences of halves' bits are those of logarithms. What they are worth falls with the square
+/// root of a texel's radiance below the block's brightest, else lamps would lose power to texels
+/// that they outshine, and with that of a channel below its texels' strongest.
 void weigh(const Bc6hTexels& texels, Bc6hTargets& targets) noexcept {
-    constexpr float kLeastTexel = 1.0f / 8.0f;      // what is dark beside a lamp stays dark
-    constexpr float kLeastChannel = 1.0f / 256.0f;  // of what another outshines 256 times
+    constexpr float kOctave = 1024.0f;           // in bits of halves
+    constexpr float kLeastTexel = 1.0f / 32.0f;  // what is dark beside a lamp stays dark
+    constexpr float kLeastChannel = 1.0f / 256.0f;
     std::array<float, 16> strongest;
-    std::array<float, 3> below;  // in bits: 1024 are a factor of two
+    std::array<float, 3> below;
     below.fill(-65536.0f);
     for (std::size_t i = 0; i < 16; ++i) {
         strongest[i] = static_cast<float>(*std::max_element(texels[i].begin(), texels[i].end()));
@@ -41,9 +41,10 @@ void weigh(const Bc6hTexels& texels, Bc6hTargets& targets) noexcept {
     }
     const float most = *std::max_element(strongest.begin(), strongest.end());
     for (std::size_t i = 0; i < 16; ++i)
-        targets.texelWeights[i] = std::max(std::exp2((strongest[i] - most) / 2048.0f), kLeastTexel);
+        targets.texelWeights[i] =
+            std::max(std::exp2(0.5f * (strongest[i] - most) / kOctave), kLeastTexel);
     for (std::size_t c = 0; c < 3; ++c)
-        targets.channelWeights[c] = std::max(std::exp2(below[c] / 1024.0f), kLeastChannel);
+        targets.channelWeights[c] = std::max(std::exp2(below[c] / kOctave), kLeastChannel);
 }
 
 Bc6hTargets targetsOf(const Bc6hTexels& texels) noexcept {
@@ -51,7 +52,7 @@ Bc6hTargets targetsOf(const Bc6hTexels& texels) noexcept {
     for (std::size_t c = 0; c < 3; ++c) {
         float sum = 0.0f;
         for (std::size_t i = 0; i < 16; ++i) {
-            targets.at[c][i] = targetOf(texels[i][c]);
+            targets.at[c][i] = targetOf(static_cast<float>(texels[i][c]));
             sum += targets.at[c][i];
         }
         targets.centre[c] = static_cast<int>(sum / 16.0f);
