@@ -277,7 +277,8 @@ def test_environment_workshop(folder):
     """Every layout and file type leads back to the same light."""
     run("environment", "convert", "sky", "-o", "sky.exr", "--size", "256", folder=folder)
     for out, more in [("face_{}.exr", []), ("cross.hdr", ["--layout", "vcross"]), ("cube.ktx2", ["--compression", "zstd"]),
-                      ("cube.dds", ["--format", "float"]), ("oct.exr", ["--layout", "octahedral"])]:
+                      ("cube.dds", ["--format", "float"]), ("blocks.dds", ["--format", "bc6h"]),
+                      ("oct.exr", ["--layout", "octahedral"])]:
         run("environment", "convert", "sky.exr", "-o", out, "--size", "64", *more, folder=folder)
         back = ["--in-layout", "octahedral"] if out == "oct.exr" else []
         info = run("environment", "info", out, *back, folder=folder)[0]
@@ -313,6 +314,7 @@ def test_environment_workshop(folder):
     run("environment", "convert", "sky.exr", "-o", "half.exr", "--format", "half", folder=folder)
     assert os.path.getsize(os.path.join(folder, "half.exr")) < 0.7 * os.path.getsize(os.path.join(folder, "sky.exr"))
     fails("environment", "convert", "sky.exr", "-o", "a.exr", "--format", "rgb9e5", says="float or half", folder=folder)
+    fails("environment", "convert", "sky.exr", "-o", "a.exr", "--format", "bc6h", says="float or half", folder=folder)
     fails("environment", "convert", "sky.exr", "-o", "a.png", "--format", "half", says="--png-depth", folder=folder)
     fails("environment", "filter", "sky.exr", "-o", "a.exr", "--size", "4", "--levels", "9", says="at most 3", folder=folder)
     fails("environment", "filter", "-o", "a.exr", says="IN is missing", folder=folder)

@@ -201,14 +201,14 @@ void checkWorkTarget(const std::string& path, PictureForm form) {
     }
 }
 
-void saveLevels(const std::string& path, std::span<const CubeMap> levels,
-                const WorkTarget& target) {
+bool saveLevels(const std::string& path, std::span<const CubeMap> levels, const WorkTarget& target,
+                const Progress& progress) {
     if (target.to == Orientation::opengl)
-        return saveTexture(path, textureFromCubes(levels), target.texture);
+        return saveTexture(path, textureFromCubes(levels), target.texture, progress);
     std::vector<CubeMap> stored;
     stored.reserve(levels.size());
     for (const CubeMap& level : levels) stored.push_back(storedCube(level, cubeAxesOf(target.to)));
-    saveTexture(path, textureFromCubes(stored), target.texture);
+    return saveTexture(path, textureFromCubes(stored), target.texture, progress);
 }
 
 bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
@@ -260,8 +260,7 @@ bool saveWork(const std::string& path, WorkSource source, const WorkTarget& targ
                 std::vector<CubeMap> levels{std::move(cube)};
                 for (CubeMap& mip : cubeMips(levels.front())) levels.push_back(std::move(mip));
                 if (!watch(0.5f)) return false;
-                saveLevels(path, levels, target);
-                return true;
+                return saveLevels(path, levels, target, encoding);
             }
             if (target.to != Orientation::opengl) cube = storedCube(cube, cubeAxesOf(target.to));
             if (target.form != PictureForm::faces) {

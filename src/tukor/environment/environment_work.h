@@ -61,8 +61,9 @@ void checkWorkTarget(const std::string& path, PictureForm form);
 bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
               const Progress& progress = {});
 
-/// All levels of a chain in one texture file. Throws Error.
-void saveLevels(const std::string& path, std::span<const CubeMap> levels,
-                const WorkTarget& target = {});
+/// All levels of a chain in one texture file. False, and nothing is written, where `progress` asked
+/// to stop. Throws Error.
+bool saveLevels(const std::string& path, std::span<const CubeMap> levels,
+                const WorkTarget& target = {}, const Progress& progress = {});
 
 }  // namespace tukor

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "tukor/base/progress.h"
 #include "tukor/image/bc6h_modes.h"
 #include "tukor/image/image.h"
 
@@ -36,7 +37,9 @@ using Bc6hTexels = std::array<std::array<std::uint16_t, 3>, 16>;
 void decodeBc6h(std::span<const std::byte> blocks, Bc6hSign sign, Image& image);
 
 /// Appends the blocks of an image, unsigned: what is negative or no number becomes 0, what is above
-/// 65504 that. On all cores, and the same bytes whatever their number.
-void encodeBc6h(const Image& image, std::vector<std::byte>& out);
+/// 65504 that. On all cores, and the same bytes whatever their number. False where `progress` asked
+/// to stop: some of what was appended is none.
+[[nodiscard]] bool encodeBc6h(const Image& image, std::vector<std::byte>& out,
+                              const Progress& progress = {});
 
 }  // namespace tukor

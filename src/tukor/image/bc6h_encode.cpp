@@ -141,20 +141,18 @@ std::array<std::byte, kBc6hBytes> encodeBc6hBlock(const Bc6hTexels& texels) noex
     return packed(best);
 }
 
-void encodeBc6h(const Image& image, std::vector<std::byte>& out) {
+bool encodeBc6h(const Image& image, std::vector<std::byte>& out, const Progress& progress) {
     const int across = (image.width() + 3) / 4;
     const std::size_t start = out.size();
-    out.resize(start + bc6hBlocks(image.width(), image.height()) * kBc6hBytes);
-    parallelFor(0, (image.height() + 3) / 4, 4, [&](int begin, int end) {
-        for (int y = begin; y < end; ++y)
-            for (int x = 0; x < across; ++x) {
-                const auto block = encodeBc6hBlock(texelsOf(image, x, y));
-                std::memcpy(out.data() + start +
-                                (static_cast<std::size_t>(y) * static_cast<std::size_t>(across) +
-                                 static_cast<std::size_t>(x)) *
-                                    kBc6hBytes,
-                            block.data(), block.size());
-            }
+    const std::size_t count = bc6hBlocks(image.width(), image.height());
+    out.resize(start + count * kBc6hBytes);
+    constexpr int kGrain = 64;  // half a millisecond
+    return parallelFor(0, static_cast<int>(count), kGrain, progress, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            const auto block = encodeBc6hBlock(texelsOf(image, i % across, i / across));
+            std::memcpy(out.data() + start + static_cast<std::size_t>(i) * kBc6hBytes, block.data(),
+                        block.size());
+        }
     });
 }
 

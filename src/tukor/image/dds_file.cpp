@@ -163,7 +163,8 @@ TextureFile decodeDds(std::span<const std::byte> bytes, std::string_view name) {
     return texture;
 }
 
-std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels) {
+std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels,
+                                 const Progress& progress) {
     const TexelLayout& layout = layoutOf(texels);
     const bool cube = texture.faces == 6;
     const bool mips = texture.levels > 1;
@@ -193,9 +194,10 @@ std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels)
     out.u32(cube ? kMiscCube : 0);
     out.u32(1);  // textures in the array
     out.u32(3);  // alpha is opaque
+    FacePacker packer(texture, layout, progress);
     for (int face = 0; face < texture.faces; ++face)
         for (int level = 0; level < texture.levels; ++level)
-            packFace(layout, texture.image(level, face), out.data());
+            if (!packer.pack(level, face, out.data())) return {};
     return std::move(out.data());
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tukor/base/progress.h"
 #include "tukor/image/texture_file.h"
 
 namespace tukor {
@@ -14,7 +15,8 @@ namespace tukor {
 /// 8-bit files without the DX10 header are taken for sRGB, as everybody writes them. Throws Error.
 [[nodiscard]] TextureFile decodeDds(std::span<const std::byte> bytes, std::string_view name);
 
-/// With the DX10 header.
-[[nodiscard]] std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels);
+/// With the DX10 header. None where `progress` asked to stop.
+[[nodiscard]] std::vector<std::byte> encodeDds(const TextureFile& texture, TexelFormat texels,
+                                               const Progress& progress = {});
 
 }  // namespace tukor

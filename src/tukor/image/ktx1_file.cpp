@@ -81,7 +81,8 @@ TextureFile decodeKtx1(std::span<const std::byte> bytes, std::string_view name) 
     return texture;
 }
 
-std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels) {
+std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels,
+                                  const Progress& progress) {
     const TexelLayout& layout = layoutOf(texels);
     ByteWriter values;
     appendKtxValue(values, "KTXorientation", "S=r,T=d");
@@ -102,6 +103,7 @@ std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels
     out.u32(static_cast<std::uint32_t>(texture.levels));
     out.u32(static_cast<std::uint32_t>(values.size()));
     out.bytes(values.data());
+    FacePacker packer(texture, layout, progress);
     for (int level = 0; level < texture.levels; ++level) {
         // Every layout that is written has texels of a multiple of four bytes: no padding.
         const TextureShape shape{.width = static_cast<std::uint32_t>(texture.width),
@@ -109,7 +111,7 @@ std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels
         out.u32(static_cast<std::uint32_t>(
             faceBytes(shape, layout, static_cast<std::uint32_t>(level), kRowAlignment)));
         for (int face = 0; face < texture.faces; ++face)
-            packFace(layout, texture.image(level, face), out.data());
+            if (!packer.pack(level, face, out.data())) return {};
     }
     return std::move(out.data());
 }

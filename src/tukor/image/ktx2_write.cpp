@@ -110,7 +110,7 @@ void putNumber(std::vector<std::byte>& out, std::size_t at, std::uint64_t value)
 }  // namespace
 
 std::vector<std::byte> encodeKtx2(const TextureFile& texture, TexelFormat texels,
-                                  Supercompression supercompression) {
+                                  Supercompression supercompression, const Progress& progress) {
     const TexelLayout& layout = layoutOf(texels);
     const bool zstd = supercompression == Supercompression::zstd;
     ByteWriter descriptor;
@@ -141,11 +141,12 @@ std::vector<std::byte> encodeKtx2(const TextureFile& texture, TexelFormat texels
     out.data().resize(afterIndex);
     out.bytes(descriptor.data());
     out.bytes(values.data());
+    FacePacker packer(texture, layout, progress);
     // The smallest level first, so that a viewer on a slow line has something to show.
     for (int level = texture.levels - 1; level >= 0; --level) {
         std::vector<std::byte> data;
         for (int face = 0; face < texture.faces; ++face)
-            packFace(layout, texture.image(level, face), data);
+            if (!packer.pack(level, face, data)) return {};
         const std::size_t size = data.size();
         if (zstd)
             data = compressed(data);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tukor/base/progress.h"
 #include "tukor/image/texture_file.h"
 
 namespace tukor {
@@ -16,8 +17,11 @@ namespace tukor {
 [[nodiscard]] TextureFile decodeKtx1(std::span<const std::byte> bytes, std::string_view name);
 [[nodiscard]] TextureFile decodeKtx2(std::span<const std::byte> bytes, std::string_view name);
 
-[[nodiscard]] std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels);
+/// None where `progress` asked to stop.
+[[nodiscard]] std::vector<std::byte> encodeKtx1(const TextureFile& texture, TexelFormat texels,
+                                                const Progress& progress = {});
 [[nodiscard]] std::vector<std::byte> encodeKtx2(const TextureFile& texture, TexelFormat texels,
-                                                Supercompression supercompression);
+                                                Supercompression supercompression,
+                                                const Progress& progress = {});
 
 }  // namespace tukor

@@ -25,21 +25,25 @@ namespace {
     return true;
 }
 
-std::vector<std::byte> dds(const TextureFile& texture, const TextureOptions& options) {
-    return encodeDds(texture, options.texels);
+std::vector<std::byte> dds(const TextureFile& texture, const TextureOptions& options,
+                           const Progress& progress) {
+    return encodeDds(texture, options.texels, progress);
 }
 
-std::vector<std::byte> ktx1(const TextureFile& texture, const TextureOptions& options) {
-    return encodeKtx1(texture, options.texels);
+std::vector<std::byte> ktx1(const TextureFile& texture, const TextureOptions& options,
+                            const Progress& progress) {
+    return encodeKtx1(texture, options.texels, progress);
 }
 
-std::vector<std::byte> ktx2(const TextureFile& texture, const TextureOptions& options) {
-    return encodeKtx2(texture, options.texels, options.supercompression);
+std::vector<std::byte> ktx2(const TextureFile& texture, const TextureOptions& options,
+                            const Progress& progress) {
+    return encodeKtx2(texture, options.texels, options.supercompression, progress);
 }
 
 struct Format {
     std::string_view extension;
-    std::vector<std::byte> (*encode)(const TextureFile& texture, const TextureOptions& options);
+    std::vector<std::byte> (*encode)(const TextureFile& texture, const TextureOptions& options,
+                                     const Progress& progress);
 };
 
 constexpr Format kFormats[] = {{".dds", dds}, {".ktx", ktx1}, {".ktx2", ktx2}};
@@ -64,17 +68,20 @@ TextureFile loadTexture(const std::filesystem::path& path) {
 }
 
 std::vector<std::byte> encodeTexture(const TextureFile& texture, const std::string& extension,
-                                     const TextureOptions& options) {
+                                     const TextureOptions& options, const Progress& progress) {
     TUKOR_ASSERT(isWhole(texture));
     for (const Format& format : kFormats)
-        if (format.extension == extension) return format.encode(texture, options);
+        if (format.extension == extension) return format.encode(texture, options, progress);
     throw Error(
         fmt::format("no texture format is called `{}`; known are .dds .ktx .ktx2", extension));
 }
 
-void saveTexture(const std::filesystem::path& path, const TextureFile& texture,
-                 const TextureOptions& options) {
-    writeFile(path, encodeTexture(texture, lowerExtension(path), options));
+bool saveTexture(const std::filesystem::path& path, const TextureFile& texture,
+                 const TextureOptions& options, const Progress& progress) {
+    const auto bytes = encodeTexture(texture, lowerExtension(path), options, progress);
+    if (bytes.empty()) return false;
+    writeFile(path, bytes);
+    return true;
 }
 
 }  // namespace tukor

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tukor/base/progress.h"
 #include "tukor/image/image.h"
 
 namespace tukor {
@@ -66,13 +67,16 @@ struct TextureOptions {
     Supercompression supercompression = Supercompression::none;  // .ktx2 only
 };
 
-/// Writes .dds, .ktx or .ktx2 by extension. Throws Error.
-void saveTexture(const std::filesystem::path& path, const TextureFile& texture,
-                 const TextureOptions& options = {});
+/// Writes .dds, .ktx or .ktx2 by extension. False where `progress` asked to stop, before anything
+/// was written. Throws Error.
+bool saveTexture(const std::filesystem::path& path, const TextureFile& texture,
+                 const TextureOptions& options = {}, const Progress& progress = {});
 
-/// The bytes of such a file; `extension` in lower case with its dot.
+/// The bytes of such a file; `extension` in lower case with its dot. None where `progress` asked to
+/// stop.
 [[nodiscard]] std::vector<std::byte> encodeTexture(const TextureFile& texture,
                                                    const std::string& extension,
-                                                   const TextureOptions& options = {});
+                                                   const TextureOptions& options = {},
+                                                   const Progress& progress = {});
 
 }  // namespace tukor

@@ -76,11 +76,20 @@ Image unpackFace(const TextureShape& shape, const TexelLayout& layout, std::uint
     return image;
 }
 
-void packFace(const TexelLayout& layout, const Image& image, std::vector<std::byte>& out) {
-    if (layout.blockSize > 1)
-        encodeBc6h(image, out);
-    else
-        packTexels(layout, image.pixels(), out);
+FacePacker::FacePacker(const TextureFile& texture, const TexelLayout& layout,
+                       const Progress& progress)
+    : texture_(texture), layout_(layout), progress_(progress) {
+    for (const Image& image : texture.images) texels_ += image.pixels().size();
+}
+
+bool FacePacker::pack(int level, int face, std::vector<std::byte>& out) {
+    const Image& image = texture_.image(level, face);
+    const float from = static_cast<float>(packed_) / static_cast<float>(texels_);
+    packed_ += image.pixels().size();
+    const float to = static_cast<float>(packed_) / static_cast<float>(texels_);
+    if (layout_.blockSize > 1) return encodeBc6h(image, out, partOf(progress_, from, to));
+    packTexels(layout_, image.pixels(), out);
+    return !progress_ || progress_(to);
 }
 
 TextureFile emptyTexture(const TextureShape& shape) {

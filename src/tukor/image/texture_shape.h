@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tukor/base/progress.h"
 #include "tukor/image/texel_format.h"
 #include "tukor/image/texture_file.h"
 
@@ -36,8 +37,23 @@ void checkTextureShape(std::string_view name, const TextureShape& shape);
                                std::uint32_t level, std::uint32_t rowAlignment,
                                std::span<const std::byte> bytes);
 
-/// Appends one face of a level, as unpackFace reads it where rows are not padded.
-void packFace(const TexelLayout& layout, const Image& image, std::vector<std::byte>& out);
+/// Packs the faces of a texture, and tells how far it is by their texels.
+class FacePacker {
+public:
+    /// All three must outlive it.
+    FacePacker(const TextureFile& texture, const TexelLayout& layout, const Progress& progress);
+
+    /// Appends one face of a level, as unpackFace reads it where rows are not padded. False where
+    /// `progress` asked to stop.
+    [[nodiscard]] bool pack(int level, int face, std::vector<std::byte>& out);
+
+private:
+    const TextureFile& texture_;
+    const TexelLayout& layout_;
+    const Progress& progress_;
+    std::size_t texels_ = 0;  // of all faces
+    std::size_t packed_ = 0;
+};
 
 /// A texture of the shape with room for its pictures, which are empty.
 [[nodiscard]] TextureFile emptyTexture(const TextureShape& shape);

@@ -93,7 +93,7 @@ TEST(TextureFile, Bc6hReadsBackAsItsBlocks) {
                 ASSERT_EQ(back.images.size(), texture.images.size());
                 for (std::size_t i = 0; i < texture.images.size(); ++i) {
                     std::vector<std::byte> blocks;
-                    encodeBc6h(texture.images[i], blocks);
+                    EXPECT_TRUE(encodeBc6h(texture.images[i], blocks));
                     Image expected(texture.images[i].width(), texture.images[i].height());
                     decodeBc6h(blocks, Bc6hSign::none, expected);
                     EXPECT_TRUE(std::ranges::equal(back.images[i].pixels(), expected.pixels()))
@@ -151,7 +151,7 @@ TEST(TextureFile, ReadsBc6hOfEitherSignAndOfNone) {
                  {".ktx2", 12, 143, 144, true}};
     const TextureFile texture = sample(4, 4, 1, 1);
     std::vector<std::byte> blocks;
-    encodeBc6h(texture.images[0], blocks);
+    EXPECT_TRUE(encodeBc6h(texture.images[0], blocks));
     for (const auto& c : cases) {
         auto bytes = encodeTexture(texture, c.extension, {TexelFormat::bc6h, {}});
         ASSERT_EQ(numberAt(bytes, c.at), c.written);
@@ -294,6 +294,28 @@ TEST(TextureFile, ReadsDdsWithoutTheNewHeader) {
     put(112, 0x200 | 0x400);  // a cube map with one face
     EXPECT_THAT([&] { (void)decodeTexture(bytes, "x.dds"); },
                 ThrowsMessage<Error>(HasSubstr("x.dds: a cube map that lacks faces")));
+}
+
+TEST(TextureFile, TellsHowFarItIsAndStopsWithNothingWritten) {
+    const TestFolder folder;
+    const TextureFile texture = sample(64, 64, 6, 7);
+    for (const char* extension : {".dds", ".ktx", ".ktx2"})
+        for (const TexelFormat format : {TexelFormat::rgba16f, TexelFormat::bc6h}) {
+            std::vector<float> fractions;
+            const TextureOptions options{format, Supercompression::none};
+            const auto bytes = encodeTexture(texture, extension, options, [&](float fraction) {
+                fractions.push_back(fraction);
+                return true;
+            });
+            EXPECT_EQ(bytes, encodeTexture(texture, extension, options));
+            EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+            EXPECT_GE(fractions.size(), 42u);  // six faces of seven levels
+            EXPECT_EQ(fractions.back(), 1.0f);
+            const std::string path = folder.path(std::string("stopped") + extension);
+            EXPECT_FALSE(saveTexture(path, texture, options,
+                                     [](float fraction) { return fraction < 0.5f; }));
+            EXPECT_FALSE(std::filesystem::exists(path));
+        }
 }
 
 TEST(TextureFile, GoesThroughFiles) {
