@@ -179,8 +179,12 @@ EMSCRIPTEN_KEEPALIVE const char* tukor_light_wanted() {
 
 /// What the third module made of it.
 EMSCRIPTEN_KEEPALIVE int tukor_give_light(const std::uint64_t* chain, int chainBytes,
-                                          const std::uint64_t* table, int tableBytes) {
+                                          const std::uint64_t* table, int tableBytes,
+                                          const glm::vec4* ground, int groundBytes,
+                                          const glm::vec4* spectrum, int spectrumBytes) {
     return guarded([&] {
+        tukor::web::givenSpectrum.assign(spectrum, spectrum + spectrumBytes / 16);
+        tukor::web::givenGround.assign(ground, ground + groundBytes / 16);
         tukor::web::givenLight = {{chain, chain + chainBytes / 8}, {table, table + tableBytes / 8}};
         return 0;
     });
@@ -216,6 +220,11 @@ EMSCRIPTEN_KEEPALIVE int tukor_set_max_depth(int depth) {
 
 EMSCRIPTEN_KEEPALIVE int tukor_set_background_blur(float blur) {
     viewer->setBackgroundBlur(blur);
+    return 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int tukor_set_ground(float height) {
+    viewer->setGround(height);
     return 0;
 }
 

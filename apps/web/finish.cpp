@@ -1,5 +1,5 @@
-// The third module, which a page fetches once a model has a surface that is not ideally smooth: its
-// light and its shaders, handed to the first module as bytes.
+// The third module, which a page fetches once there is a surface that is not ideally smooth, a
+// ground or dispersion: its light and its shaders, handed to the first module as bytes.
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -15,6 +15,7 @@ using tukor::gl::FinishLight;
 using tukor::web::guarded;
 
 FinishLight light;
+std::vector<glm::vec4> ground, spectrum;
 
 }  // namespace
 
@@ -42,6 +43,8 @@ EMSCRIPTEN_KEEPALIVE int finish_light(const float* radiance, int width, int heig
             source.cube = std::make_shared<tukor::CubeMap>(std::move(cube));
         }
         light = tukor::gl::finishLight(source, scale);
+        spectrum = tukor::gl::spectrumTable();
+        ground = tukor::gl::groundLight(source, scale, {});
         return static_cast<int>(8 * light.chain.size());
     });
 }
@@ -54,11 +57,24 @@ EMSCRIPTEN_KEEPALIVE const void* finish_table() {
     return light.table.data();
 }
 
+/// Nothing, or 32 bytes for each of gl::kLitDirections.
+EMSCRIPTEN_KEEPALIVE const void* finish_ground() {
+    return ground.data();
+}
+
+EMSCRIPTEN_KEEPALIVE const void* finish_spectrum() {
+    return spectrum.data();
+}
+
+EMSCRIPTEN_KEEPALIVE int finish_ground_bytes() {
+    return static_cast<int>(16 * ground.size());
+}
+
 EMSCRIPTEN_KEEPALIVE const char* finish_shader() {
     return tukor::gl::finishShader().text;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* finish_traced_shader() {
-    return tukor::gl::tracedFinishesShader().text;
+    return tukor::gl::wholeTracedShader().text;
 }
 }

@@ -12,6 +12,18 @@ BackdropLight backdropLight(const LightSource&, float, float) {
     return {};
 }
 
+std::vector<glm::vec4> groundLight(const LightSource&, float, std::span<const LitDirection>) {
+    return web::givenGround;
+}
+
+std::vector<glm::vec4> spectrumTable() {
+    return web::givenSpectrum;
+}
+
+bool partsAtHand() noexcept {
+    return !web::givenTracedShader.empty();
+}
+
 const ShaderSource& finishShader() {
     static const char* const files[] = {"finish.frag"};
     static ShaderSource source{nullptr, files};
@@ -19,7 +31,7 @@ const ShaderSource& finishShader() {
     return source;
 }
 
-const ShaderSource& tracedFinishesShader() {
+const ShaderSource& wholeTracedShader() {
     static const char* const files[] = {"traced.frag"};
     static ShaderSource source{nullptr, files};
     source.text = web::givenTracedShader.c_str();

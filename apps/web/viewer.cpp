@@ -60,6 +60,7 @@ Viewer::Viewer() {
 void Viewer::setScene(Scene scene) {
     renderer_.setScene(scene);
     scene_ = std::move(scene);
+    lowest_ = boundsOf(scene_).least.y;
     ownLights_ = scene_.lights.size();
     ownMaterials_.clear();
     for (const Part& part : scene_.parts) ownMaterials_.push_back(part.material);
@@ -77,6 +78,7 @@ bool Viewer::setPose(Scene scene) {
         scene_.parts[i].mesh = std::move(scene.parts[i].mesh);
     std::move(scene.lights.begin(), scene.lights.end(), scene_.lights.begin());
     renderer_.setPose(scene_);
+    lowest_ = boundsOf(scene_).least.y;
     return true;
 }
 
@@ -165,6 +167,8 @@ gl::FrameOptions Viewer::frameOptions(int width, int height) const noexcept {
     frame.picture = options_;
     frame.picture.width = width;
     frame.picture.height = height;
+    if (ground_ < std::numeric_limits<float>::infinity())
+        frame.picture.ground = std::isinf(ground_) ? lowest_ : ground_;
     return frame;
 }
 
@@ -210,7 +214,7 @@ std::span<const std::uint8_t> Viewer::stillPixels() {
 }
 
 std::string Viewer::lightWanted() const {
-    if (!renderer_.preparesLight(options_.backgroundBlur)) return "null";
+    if (!renderer_.preparesLight(frameOptions(1, 1).picture)) return "null";
     const gl::LightSource& source = renderer_.lightChain().source();
     const int width = source.panorama ? source.panorama->width() : source.cube->faceSize();
     const glm::vec3* const texels = source.panorama ? source.panorama->pixels().data()

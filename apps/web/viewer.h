@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,6 +44,8 @@ public:
     void setMaxDepth(int depth) noexcept { options_.maxDepth = depth; }
     /// From 0, sharp, to 1.
     void setBackgroundBlur(float blur) noexcept { options_.backgroundBlur = blur; }
+    /// A height in metres, or negative infinity for the lowest point of the model; positive: none.
+    void setGround(float height) noexcept { ground_ = height; }
     void setExposure(float stops) noexcept { display_.exposureStops = stops; }
     void setCamera(const Camera& camera) noexcept { camera_ = camera; }
 
@@ -82,6 +85,8 @@ private:
     gl::Renderer renderer_;
     Pace pace_;
     RenderOptions options_;
+    float ground_ = std::numeric_limits<float>::infinity();
+    float lowest_ = 0.0f;  // of the scene
     gl::DisplayOptions display_;
     Scene scene_;
     std::size_t ownLights_ = 0;           // before setSuns()

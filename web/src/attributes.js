@@ -23,12 +23,13 @@ export const FIGURES = {
   exposure: [number, 0],
   "background-blur": [(text) => (number(text) >= 0 && number(text) <= 1 ? number(text) : null), 0],
   dispersion: [(text) => (number(text) >= 0 && number(text) <= 100 ? number(text) : null), -1], // as in the model
+  ground: [(text) => (text.trim() === "lowest" ? -Infinity : number(text)), Infinity], // none
   light: [suns, []],
   "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
 };
 
 /** Of these the command says nothing, or something else. */
-export const PAGE_ONLY = ["light", "time-seconds"];
+export const PAGE_ONLY = ["light", "time-seconds", "ground"];
 
 export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
 

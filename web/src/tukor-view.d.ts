@@ -32,6 +32,8 @@ export declare class TukorView extends HTMLElement {
   environmentIntensity: string | null;
   /** "X,Y,Z" or "X,Y,Z/R,G,B", several separated by semicolons: from where light shines besides, on rough, diffuse and textured surfaces. */
   light: string | null;
+  /** A height in metres, or "lowest" for the lowest point of the model: shadows and caustics on what is behind, at double and exact. */
+  ground: string | null;
   /** quad, box, dome or none (transparent). */
   background: string | null;
   /** From 0, sharp, to 1. What lies behind the model alone; what is seen in it stays sharp. */

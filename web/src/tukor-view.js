@@ -91,7 +91,7 @@ export class TukorView extends HTMLElement {
   /** The `tukor render` command that gives the present view; files are named as the page names them. */
   get command() {
     if (!this.#loaded) return "";
-    const options = [...Object.keys(CHOICES), "variant", "animation"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
+    const options = [...Object.keys(CHOICES), "variant", "animation", "ground"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     if (this.#clock.seconds >= 0) options.push(["--time-seconds", this.#clock.seconds]);
     for (const sun of lists(this.getAttribute("light") ?? "")) options.push(["--light", sun]);
     for (const name of Object.keys(FIGURES))

@@ -132,9 +132,9 @@ class Host {
     const engine = this.#engine;
     const wanted = engine.json("light_wanted");
     if (!wanted) return;
-    const { shaders, light } = await (await import("./tukor-finish.js")).prepare(engine.memory.floats.subarray(wanted.at / 4), wanted);
+    const { shaders, light, tables } = await (await import("./tukor-finish.js")).prepare(engine.memory.floats.subarray(wanted.at / 4), wanted);
     engine.call("give_shaders", ...shaders);
-    engine.call("give_light", light.chain, light.chain.length, light.table, light.table.length);
+    engine.call("give_light", light.chain, light.chain.length, light.table, light.table.length, ...tables.flatMap((table) => [table, table.length]));
   }
 
   #place({ eye, target, fov }) {

@@ -5,6 +5,7 @@
 #include "tukor/environment/prefilter.h"
 #include "tukor/gl/half_float.h"
 #include "tukor/gl/shaders.h"
+#include "tukor/optics/spectrum.h"
 
 namespace tukor::gl {
 
@@ -45,11 +46,34 @@ BackdropLight backdropLight(const LightSource& source, float scale, float roughn
     return light;
 }
 
+std::vector<glm::vec4> groundLight(const LightSource& source, float scale,
+                                   std::span<const LitDirection> lamps) {
+    std::vector<glm::vec4> texels;
+    for (const LitDirection& one : source.panorama
+                                       ? litDirections(*source.panorama, lamps, kLitDirections)
+                                       : litDirections(*source.cube, lamps, kLitDirections)) {
+        texels.emplace_back(one.direction, 0.0f);
+        texels.emplace_back(one.irradiance * (kLitDirections / scale), 0.0f);
+    }
+    return texels;
+}
+
+std::vector<glm::vec4> spectrumTable() {
+    std::vector<glm::vec4> table;
+    for (const optics::Wavelength& w : optics::visibleSpectrum())
+        table.emplace_back(w.nm, w.weight);
+    return table;
+}
+
+bool partsAtHand() noexcept {
+    return true;
+}
+
 const ShaderSource& finishShader() {
     return shaders::finishFrag;
 }
 
-const ShaderSource& tracedFinishesShader() {
+const ShaderSource& wholeTracedShader() {
     return shaders::tracedFrag;
 }
 

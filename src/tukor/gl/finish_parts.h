@@ -1,11 +1,13 @@
-// What only surfaces with a Finish need, and little of that little: programs have it built in, a
-// page fetches it once a model has such a surface.
+// What only surfaces with a Finish, a ground or dispersion need, and little of that little:
+// programs have it built in, a page fetches it once there is one.
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "tukor/environment/cube_map.h"
+#include "tukor/environment/lit_directions.h"
 #include "tukor/gl/shader_source.h"
 #include "tukor/image/image.h"
 
@@ -42,10 +44,24 @@ struct BackdropLight {
 /// do with the chain.
 [[nodiscard]] BackdropLight backdropLight(const LightSource& source, float scale, float roughness);
 
+inline constexpr std::size_t kLitDirections = 4096;  // as traced.frag has it
+
+/// What lights a ground, as traced.frag has it: that many directions, in the environment's axes,
+/// and after each the irradiance of the ground if all light came from there. Nothing where all is
+/// dark. A page has the environment's alone, without the `lamps`.
+[[nodiscard]] std::vector<glm::vec4> groundLight(const LightSource& source, float scale,
+                                                 std::span<const LitDirection> lamps);
+
+/// optics::visibleSpectrum() as traced.frag has it: nm and weights.
+[[nodiscard]] std::vector<glm::vec4> spectrumTable();
+
+/// Whether spectrum and shaders are there: in a page, once they were fetched.
+[[nodiscard]] bool partsAtHand() noexcept;
+
 /// finish.frag.
 [[nodiscard]] const ShaderSource& finishShader();
 
-/// traced.frag with its branches for FINISHES.
-[[nodiscard]] const ShaderSource& tracedFinishesShader();
+/// traced.frag with its branches for FINISHES, GROUND and DISPERSION.
+[[nodiscard]] const ShaderSource& wholeTracedShader();
 
 }  // namespace tukor::gl

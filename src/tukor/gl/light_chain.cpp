@@ -28,8 +28,7 @@ const std::uint64_t* uploadFaces(int level, int size, const std::uint64_t* texel
     return texels;
 }
 
-constexpr std::size_t kLitDirections = 4096;  // as traced.frag has it
-constexpr int kLitWidth = 128;                // texels a row, two a direction
+constexpr int kLitWidth = 128;  // texels a row, two a direction
 
 }  // namespace
 
@@ -78,20 +77,14 @@ float LightChain::bindBlurred(int unit, float roughness) {
 }
 
 glm::vec3 LightChain::bindGround(int unit, std::span<const LitDirection> lamps) {
-    if (ground_.id() == 0 || !std::ranges::equal(lamps, groundLamps_)) {
+    if (ground_.id() == 0 ||
+        !std::equal(lamps.begin(), lamps.end(), groundLamps_.begin(), groundLamps_.end())) {
         groundLamps_.assign(lamps.begin(), lamps.end());
-        std::vector<LitDirection> all =
-            source_.panorama ? litDirections(*source_.panorama, lamps, kLitDirections)
-                             : litDirections(*source_.cube, lamps, kLitDirections);
-        all.resize(kLitDirections);
+        std::vector<glm::vec4> texels = groundLight(source_, scale_, lamps);
+        texels.resize(2 * kLitDirections);
         groundIrradiance_ = glm::vec3(0.0f);
-        std::vector<glm::vec4> texels;
-        for (const LitDirection& one : all) {
-            const glm::vec3 irradiance = one.irradiance / scale_;
-            groundIrradiance_ += irradiance;
-            texels.emplace_back(one.direction, 0.0f);
-            texels.emplace_back(irradiance * static_cast<float>(kLitDirections), 0.0f);
-        }
+        for (std::size_t i = 1; i < texels.size(); i += 2)
+            groundIrradiance_ += glm::vec3(texels[i]) / static_cast<float>(kLitDirections);
         ground_ = makeTable(GL_RGBA32F, GL_RGBA, GL_FLOAT, kLitWidth, texels.size(), texels.data());
     }
     bindTo(unit, GL_TEXTURE_2D, ground_);

@@ -29,6 +29,7 @@ public:
 
     /// Whether chain and table are there.
     [[nodiscard]] bool ready() const noexcept { return chain_.id() != 0; }
+    [[nodiscard]] bool groundReady() const noexcept { return ground_.id() != 0; }
     [[nodiscard]] const LightSource& source() const noexcept { return source_; }
     [[nodiscard]] float scale() const noexcept { return scale_; }
 

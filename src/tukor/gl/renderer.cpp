@@ -150,11 +150,13 @@ void Renderer::drawFrame(const Camera& camera, const FrameOptions& options,
     throwPendingErrors("drawing a frame");
 }
 
-bool Renderer::preparesLight(float backgroundBlur) const noexcept {
+bool Renderer::preparesLight(const RenderOptions& options) const noexcept {
+    const LightChain& chain = environment_.chain;
+    if (options.ground && !chain.groundReady()) return true;
+    if (tracedScene_.disperses() && !partsAtHand()) return true;
     const bool finished = std::any_of(materials_.begin(), materials_.end(),
                                       [](const Material& m) { return m.finish != nullptr; });
-    return (finished || tracedScene_.finished() || backgroundBlur > 0.0f) &&
-           !environment_.chain.ready();
+    return (finished || tracedScene_.finished() || options.backgroundBlur > 0.0f) && !chain.ready();
 }
 
 std::vector<Renderer::Look> Renderer::looksOf(const Subject& subject) const {

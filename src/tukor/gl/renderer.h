@@ -91,8 +91,9 @@ public:
     /// A window of the picture only: for pictures that are larger than textures.
     void drawFrame(const Camera& camera, const FrameOptions& options, const PictureWindow& window);
 
-    /// Whether a frame with this backgroundBlur has to prepare the light of finishes.
-    [[nodiscard]] bool preparesLight(float backgroundBlur) const noexcept;
+    /// Whether a frame with these options has to prepare the light of finishes or a ground, or
+    /// dispersion.
+    [[nodiscard]] bool preparesLight(const RenderOptions& options) const noexcept;
     [[nodiscard]] const LightChain& lightChain() const noexcept { return environment_.chain; }
 
     /// Forgets the frames so far.

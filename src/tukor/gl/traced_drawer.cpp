@@ -9,7 +9,6 @@
 #include "tukor/gl/lamps.h"
 #include "tukor/gl/light_chain.h"
 #include "tukor/gl/shaders.h"
-#include "tukor/optics/spectrum.h"
 
 namespace tukor::gl {
 
@@ -24,14 +23,6 @@ constexpr int kMostLookUps = 17;  // of one deposit, as in trace
 int tileSize(int rayBudget) {
     const float pixels = static_cast<float>(kRaysPerTile) / static_cast<float>(rayBudget);
     return std::clamp(static_cast<int>(std::sqrt(pixels)), 32, 4096);
-}
-
-/// As traced.frag has it.
-std::vector<glm::vec4> spectrumTable() {
-    std::vector<glm::vec4> table;
-    for (const optics::Wavelength& w : optics::visibleSpectrum())
-        table.emplace_back(w.nm, w.weight);
-    return table;
 }
 
 }  // namespace
@@ -69,7 +60,8 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     if (frame.ground) defines += "#define GROUND\n";
     const Program& program = programFor(
         frame.fidelity, frame.fresnel,
-        scene.finished() ? tracedFinishesShader() : shaders::tracedFrag, defines, counting);
+        scene.finished() || frame.ground || disperses ? wholeTracedShader() : shaders::tracedFrag,
+        defines, counting);
     const RenderOptions& options = frame.options;
     environment.bind(0);
     program.set("environment", 0);

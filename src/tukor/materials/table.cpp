@@ -34,7 +34,7 @@ constexpr MaterialFigures liquid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f)) 
     return solid(eta, sigmaA, kLiquidPriority);
 }
 
-constexpr std::array kTable = {
+constexpr std::array kRows = {
     NamedMaterial{"mirror", "an ideal mirror", mirror(1.0f), "", "by definition"},
     NamedMaterial{"gold", "gold", metal({0.21f, 0.485f, 1.29f}, {3.13f, 2.23f, 1.76f}), "",
                   kLecture},
@@ -106,6 +106,14 @@ constexpr std::array kTable = {
     NamedMaterial{"blue-glass", "cobalt glass", solid(1.5233f, {2.5f, 1.4f, 0.1f}), kSodium,
                   "index [Rubin 1985]; colour by eye, for objects 2 m across"},
 };
+
+constexpr auto kTable = [] {
+    auto rows = kRows;
+#ifdef __EMSCRIPTEN__  // pages do not show where figures come from, and do not fetch it
+    for (NamedMaterial& row : rows) row.description = row.wavelengths = row.source = {};
+#endif
+    return rows;
+}();
 
 constexpr auto kNames = [] {
     std::array<std::string_view, kTable.size()> names{};
