@@ -15,7 +15,7 @@ function write() {
   const degrees = (radians) => `${+((radians * 180) / Math.PI).toFixed(2)}deg`;
   const attributes = {
     src: view.src, environment: view.environment, material: materialAttribute() || null, fidelity: view.fidelity, exposure: view.exposure,
-    "tone-map": view.toneMap, "environment-rotation": view.environmentRotation,
+    "tone-map": view.toneMap, dispersion: view.dispersion, ground: view.ground, "environment-rotation": view.environmentRotation,
     "camera-orbit": `${degrees(theta)} ${degrees(phi)} ${+radius.toFixed(4)}m`, "camera-target": `${[x, y, z].map((v) => `${+v.toFixed(4)}m`).join(" ")}`,
   };
   const quoted = Object.entries(attributes).filter(([, value]) => value !== null && value !== "")
@@ -33,7 +33,8 @@ function listParts() {
 
 function bind(id, attribute, type = "change") {
   $(id).addEventListener(type, () => {
-    view.setAttribute(attribute, attribute === "environment-rotation" ? `${$(id).value}deg` : $(id).value);
+    if ($(id).value) view.setAttribute(attribute, attribute === "environment-rotation" ? `${$(id).value}deg` : $(id).value);
+    else view.removeAttribute(attribute);
     write();
   });
 }
@@ -42,6 +43,8 @@ bind("environment", "environment");
 bind("fidelity", "fidelity");
 bind("exposure", "exposure", "input");
 bind("tone-map", "tone-map");
+bind("dispersion", "dispersion", "input");
+bind("ground", "ground");
 bind("environment-rotation", "environment-rotation", "input");
 $("src").addEventListener("change", () => { materials.clear(); view.removeAttribute("material"); });
 $("material").addEventListener("change", () => {

@@ -60,7 +60,12 @@ test("the editor takes a dropped environment and writes HTML and command", async
   await page.fill("#material", "ice");
   await page.locator("#material").blur();
   assert.equal(await page.getAttribute("tukor-view", "material"), "water=ice");
-  assert.match(await page.inputValue("#html"), /<tukor-view src="tumbler".* material="water=ice"/);
+  await page.selectOption("#ground", "lowest");
+  await page.fill("#dispersion", "1.5");
+  assert.match(await page.inputValue("#html"), /<tukor-view src="tumbler".* material="water=ice".* dispersion="1.5" ground="lowest"/);
+  assert.match(await page.inputValue("#command"), / --ground lowest --dispersion 1.5 /);
+  await page.selectOption("#ground", "");
+  assert.equal(await page.getAttribute("tukor-view", "ground"), null);
   assert.match(await page.inputValue("#command"), /^tukor render tumbler --material 'water=ice'|^tukor render tumbler --material water=ice/);
   assert.deepEqual(page.errors, []);
   await page.context().close();

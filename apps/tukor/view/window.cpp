@@ -206,7 +206,7 @@ void Window::beginFrame() {
     frameBegun_ = glfwGetTime();
     // ImGui sees one press or release a frame: where frames are slow a double click takes longer.
     ImGui::GetIO().MouseDoubleClickTime =
-        std::clamp(4.0f * static_cast<float>(frameCost_), 0.3f, 2.0f);
+        std::clamp(4.0f * static_cast<float>(frameCost_), 0.5f, 2.0f);
     // the widgets are laid out in screen coordinates: text grows by what those do not account for
     const float textScale = contentScale() / framebufferScale().y;
     const float pixelScale = contentScale();
