@@ -199,6 +199,14 @@ Image blocks(const Image& image, int size) {
     return means;
 }
 
+/// White, as much as the alpha of another.
+Image alphaOf(const Image& image) {
+    Image white(image.width(), image.height());
+    for (std::size_t i = 0; i < image.alpha.size(); ++i)
+        white.pixels()[i] = glm::vec3(image.alpha[i]);
+    return white;
+}
+
 // What is by chance is compared by its means: shadows and caustics of glass, of a metal's
 // reflections, of a lamp.
 TEST(Renderers, ThrowTheSameLightOnGround) {
@@ -223,6 +231,14 @@ TEST(Renderers, ThrowTheSameLightOnGround) {
         fmt::print("{} on ground: RMSE {:.2f} codes over {} blocks\n", model, comparison.rmse8,
                    a.width());
         EXPECT_LT(comparison.rmse8, 1.0) << model << '\n' << report(comparison);
+        options.background = Background::none;
+        const Image shadows =
+            blocks(alphaOf(trace::render(scene, light, camera, options).radiance), 9);
+        options.samples = 64;
+        const Image drawn = blocks(alphaOf(gl::render(scene, light, camera, options).radiance), 9);
+        EXPECT_LT(compareImages(shadows, drawn).rmse8, 2.0)
+            << report(compareImages(shadows, drawn));
+        options.background = Background::quad;
         options.ground.reset();
         const Image bare = blocks(trace::render(scene, light, camera, options).radiance, 9);
         EXPECT_GT(compareImages(b, bare).rmse8, 5.0) << "no shadow to compare";

@@ -76,6 +76,28 @@ TEST(Ground, IsWhiteUnderWhiteThingsInUniformLight) {
     }
 }
 
+// Where no background is drawn, shadows cover it and light is added: over the background the same
+// picture comes out.
+TEST(Ground, CoversWhatIsNoBackground) {
+    const Scene scene = ball(white(), {0, 1, 0});
+    Camera camera = eyeAt({0, 2, 6});
+    camera.target = {0, 0.5f, 0};
+    RenderOptions options = onGround(24, 256);
+    const Image whole = render(scene, constantCube(1.0f), camera, options).radiance;
+    options.background = Background::none;
+    const Image over = render(scene, constantCube(1.0f), camera, options).radiance;
+    double sum = 0.0;
+    int shadowed = 0;
+    for (std::size_t i = 0; i < over.alpha.size(); ++i) {
+        const float composed = over.pixels()[i].x + (1.0f - over.alpha[i]);
+        EXPECT_NEAR(composed, whole.pixels()[i].x, 0.05f) << i;
+        sum += static_cast<double>(composed - whole.pixels()[i].x);
+        shadowed += over.alpha[i] > 0.05f && over.alpha[i] < 0.95f ? 1 : 0;
+    }
+    EXPECT_NEAR(sum / static_cast<double>(over.alpha.size()), 0.0, 2e-3);
+    EXPECT_GT(shadowed, 20);
+}
+
 // A sun of 4 degrees in a weak sky: of each place on the ground geometry says whether a ball hides
 // all of it, or none.
 TEST(Ground, ShadowsLieWhereTheSunSaysSo) {

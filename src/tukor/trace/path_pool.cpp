@@ -33,6 +33,11 @@ constexpr std::size_t kSamplesPerFault = 256;
 // By how much of the distance of neighbours faulty samples are moved.
 constexpr float kAside = 1.0f / 256.0f;
 
+float meanShare(glm::vec3 part, glm::vec3 whole) noexcept {
+    const glm::vec3 share = part / whole;
+    return (share.x + share.y + share.z) / 3.0f;
+}
+
 }  // namespace
 
 PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {
@@ -171,17 +176,28 @@ transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcep
                                            const transport::Encounter& met) const noexcept {
     if (path.chosen.catching) {  // what arrives from there unhindered was counted: not this
         path.chosen.catching = false;
+        const glm::vec3 behind = std::exchange(path.chosen.behind, glm::vec3(0.0f));
         if (hit.surface < 0) {
             path.chosen.pdf = 0.0f;
             (void)transport::escape(path.tree);
             return true;
         }
-        path.radiance -= frame_.rough->escape(path.tree.branch, path.chosen);
+        const glm::vec3 hidden = frame_.rough->escape(path.tree.branch, path.chosen);
+        if (behind != glm::vec3(0.0f)) {
+            path.covered += meanShare(hidden, behind);
+        } else {
+            path.radiance -= hidden;
+        }
     }
     if (frame_.rough->concerns(hit)) {
-        path.radiance += frame_.rough->meet(path.tree, hit, surface, met,
-                                            {mediumOf(path, met.from), mediumOf(path, met.to)},
-                                            path.sampler, path.chosen);
+        const glm::vec3 found = frame_.rough->meet(
+            path.tree, hit, surface, met, {mediumOf(path, met.from), mediumOf(path, met.to)},
+            path.sampler, path.chosen);
+        if (path.chosen.behind != glm::vec3(0.0f)) {
+            path.covered = meanShare(-found, path.chosen.behind);
+        } else {
+            path.radiance += found;
+        }
         return true;
     }
     const Chosen chosen = std::exchange(path.chosen, {});
@@ -209,7 +225,7 @@ void PathPool::finish(const Path& path) noexcept {
     const CameraSample& sample = samples_[path.sample];
     PixelSum& sum = sums_[static_cast<std::size_t>(sample.target)];
     sum.radiance += sample.weight * path.radiance;
-    sum.coverage += sample.weight;
+    sum.coverage += sample.weight * path.covered;
     sum.rays += static_cast<float>(path.tree.rays);
     counts_.rays += static_cast<std::uint64_t>(path.tree.rays - 1);  // its first was counted before
     counts_.leaks += static_cast<std::uint64_t>(path.tree.leaks);
@@ -296,6 +312,7 @@ void PathPool::traceAll() {
             path.tree.rays = 1;
             path.chosen = {};
             path.wavelength = 0.0f;
+            path.covered = 1.0f;
             path.sampler = sample.sampler;
             meet(path, first.hit);
             if (wantsRay(path)) {

@@ -59,6 +59,7 @@ private:
         PathSampler sampler;
         Chosen chosen;     // where RoughEvent chose the branch's direction
         float wavelength;  // nm; 0 until something disperses the light
+        float covered;     // of what lies behind the sample; 1 but for shadows on nothing
     };
     struct FirstHit {
         RayHit hit;

@@ -59,7 +59,10 @@ Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop,
     });
     std::optional<RoughEvent> rough;
     if (finished)
-        rough.emplace(scene, surfaces, caster, map, backdrop ? *backdrop : map,
+        rough.emplace(scene, surfaces, caster, map,
+                      options.background == Background::none ? nullptr
+                      : backdrop                             ? backdrop
+                                                             : &map,
                       static_cast<float>(options.samples.value_or(32)));
     const PassGoals goals = goalsOf(options);
     std::optional<optics::Spectrum> spectrum;  // a single sample would have a single colour

@@ -36,7 +36,7 @@ transport::Footprint spreadFootprint(glm::vec3 direction, float spread) noexcept
 }  // namespace
 
 RoughEvent::RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const RayCaster& caster,
-                       const EnvironmentMap& environment, const EnvironmentMap& backdrop,
+                       const EnvironmentMap& environment, const EnvironmentMap* backdrop,
                        float expectedSamples)
     : surfaces_(surfaces),
       caster_(caster),
@@ -138,9 +138,11 @@ glm::vec3 RoughEvent::meetGround(transport::Tree& tree, transport::Branch at, Pa
         E += light.E * std::max(light.wi.y, 0.0f);
     }
     // What is behind, in full; then what things take of that, and what they send.
-    const EnvironmentMap& behind = at.depth > 1 ? environment_ : backdrop_;
+    const bool drawn = at.depth > 1 || backdrop_;
+    const EnvironmentMap& behind = at.depth > 1 || !backdrop_ ? environment_ : *backdrop_;
     glm::vec3 seen = behind.radiance(at.direction, transport::footprintSolidAngle(at.footprint));
-    const glm::vec3 radiance = at.throughput * seen;
+    if (!drawn) seen = glm::max(seen, glm::vec3(1e-6f));
+    const glm::vec3 radiance = drawn ? at.throughput * seen : glm::vec3(0.0f);
     if (at.depth > 1) seen = glm::min(seen, E / kPi);  // no ground reflects more than it gets
     const glm::vec3 perE = at.throughput * seen / glm::max(E, glm::vec3(1e-20f));
     glm::vec3 taken(0.0f);
@@ -163,6 +165,7 @@ glm::vec3 RoughEvent::meetGround(transport::Tree& tree, transport::Branch at, Pa
         glm::vec3(r * std::cos(phi), std::sqrt(std::max(1.0f - u.x, 1e-8f)), r * std::sin(phi)));
     at.throughput = perE * kPi;
     chosen = {at.direction.y / kPi, true};
+    if (!drawn) chosen.behind = seen;
     at.footprint = spreadFootprint(
         at.direction, std::min(1.0f / std::sqrt(chosen.pdf * expectedSamples_), kWidestSpread));
     tree.branch = at;

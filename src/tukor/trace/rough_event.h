@@ -12,8 +12,9 @@ namespace tukor::trace {
 /// How a branch came by its direction.
 struct Chosen {
     float pdf = 0.0f;  // where RoughEvent chose it, and light is to be weighted by that; else 0
-    bool catching = false;  // from ground: light that arrives unhindered is counted already
-    float asked = 1.0f;     // bright directions that the light was shared with
+    bool catching = false;   // from ground: light that arrives unhindered is counted already
+    float asked = 1.0f;      // bright directions that the light was shared with
+    glm::vec3 behind{0.0f};  // what the ground that it left would show, were the background drawn
 };
 
 /// The tracer's part for surfaces that are not ideally smooth. Threads may share it.
@@ -26,7 +27,7 @@ struct Chosen {
 class RoughEvent {
 public:
     RoughEvent(const Scene& scene, const SurfaceTable& surfaces, const RayCaster& caster,
-               const EnvironmentMap& environment, const EnvironmentMap& backdrop,
+               const EnvironmentMap& environment, const EnvironmentMap* backdrop,
                float expectedSamples);
 
     /// Whether the surface of a hit has a finish; then meet() is to be called instead of scatter().
@@ -42,6 +43,7 @@ public:
 
     /// The current branch of a tree has met a surface with a finish. Returns the radiance found,
     /// and sets `chosen` to that of the branch's new direction where escape() is then to be used.
+    /// On ground before no background that radiance is what things hide of `chosen.behind`.
     [[nodiscard]] glm::vec3 meet(transport::Tree& tree, const RayHit& hit,
                                  const transport::SurfaceHit& surface,
                                  const transport::Encounter& met, const Media& media,
@@ -68,7 +70,7 @@ private:
     const SurfaceTable& surfaces_;
     const RayCaster& caster_;
     const EnvironmentMap& environment_;
-    const EnvironmentMap& backdrop_;  // what the ground shows the camera
+    const EnvironmentMap* backdrop_;  // what the ground shows the camera; null: nothing
     FinishTable finishes_;
     std::vector<Light> lamps_;
     std::unique_ptr<LightSampler> lights_;  // none where no part has a finish
