@@ -4,11 +4,11 @@
 
 namespace tukor::gl {
 
-FinishLight finishLight(const LightSource&, float) {
+FinishLight finishLight(LightSource&, float) {
     return std::exchange(web::givenLight, {});
 }
 
-BackdropLight backdropLight(const LightSource&, float, float) {
+BackdropLight backdropLight(LightSource&, float, float) {
     return {};
 }
 

@@ -22,25 +22,28 @@ void appendFaces(std::vector<std::uint64_t>& halves, const CubeMap& cube, float 
 }
 
 /// The panorama, made from the cube map where there is none.
-std::shared_ptr<const Image> panoramaOf(const LightSource& source) {
-    if (source.panorama) return source.panorama;
-    return std::make_shared<Image>(panoramaFromCube(*source.cube, 4 * source.cube->faceSize()));
+const Image& panoramaOf(LightSource& source) {
+    if (source.panorama) return *source.panorama;
+    if (!source.unrolled)
+        source.unrolled =
+            std::make_shared<Image>(panoramaFromCube(*source.cube, 4 * source.cube->faceSize()));
+    return *source.unrolled;
 }
 
 }  // namespace
 
-FinishLight finishLight(const LightSource& source, float scale) {
+FinishLight finishLight(LightSource& source, float scale) {
     const ChainOptions options{
         .faceSize = kChainFaceSize, .levels = kChainLevels, .scale = RoughnessScale::linear};
-    const PrefilteredChain chain = prefilteredChain(*panoramaOf(source), options);
+    const PrefilteredChain chain = prefilteredChain(panoramaOf(source), options);
     FinishLight light;
     for (const CubeMap& cube : chain.levels) appendFaces(light.chain, cube, 1.0f / scale);
     appendHalves(light.table, brdfNodeTable(kTableSize).pixels(), 1.0f);
     return light;
 }
 
-BackdropLight backdropLight(const LightSource& source, float scale, float roughness) {
-    const CubeMap cube = blurredBackdrop(*panoramaOf(source), roughness);
+BackdropLight backdropLight(LightSource& source, float scale, float roughness) {
+    const CubeMap cube = blurredBackdrop(panoramaOf(source), roughness);
     BackdropLight light{cube.faceSize(), {}};
     appendFaces(light.texels, cube, 1.0f / scale);
     return light;

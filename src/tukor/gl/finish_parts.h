@@ -23,6 +23,7 @@ inline constexpr int kTableSize = 32;
 struct LightSource {
     std::shared_ptr<const Image> panorama;
     std::shared_ptr<const CubeMap> cube;
+    std::shared_ptr<const Image> unrolled = nullptr;  // the cube map as a panorama, once asked for
 };
 
 /// Texels as textures hold them: four half floats each.
@@ -32,7 +33,7 @@ struct FinishLight {
 };
 
 /// Radiance is divided by `scale` first, see EnvironmentTexture.
-[[nodiscard]] FinishLight finishLight(const LightSource& source, float scale);
+[[nodiscard]] FinishLight finishLight(LightSource& source, float scale);
 
 /// A cube map, face by face, four half floats a texel.
 struct BackdropLight {
@@ -42,7 +43,7 @@ struct BackdropLight {
 
 /// What lies behind a scene blurred by this perceptual roughness. Nothing in a page, which has to
 /// do with the chain.
-[[nodiscard]] BackdropLight backdropLight(const LightSource& source, float scale, float roughness);
+[[nodiscard]] BackdropLight backdropLight(LightSource& source, float scale, float roughness);
 
 inline constexpr std::size_t kLitDirections = 4096;  // as traced.frag has it
 
