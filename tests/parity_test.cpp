@@ -35,7 +35,9 @@ constexpr std::array kNames = {"fresnelDielectric",
                                "agx",
                                "neutral",
                                "srgbFromLinear",
-                               "linearFromSrgb"};
+                               "linearFromSrgb",
+                               "indexAt",
+                               "spectrumSample"};
 static_assert(kNames.size() == kCases);
 
 struct Inputs {

@@ -4,11 +4,14 @@
 #include "tukor/image/tonemap.h"
 #include "tukor/optics/absorption.h"
 #include "tukor/optics/directions.h"
+#include "tukor/optics/dispersion.h"
 #include "tukor/optics/fresnel.h"
+#include "tukor/transport/sampler.h"
 
 TUKOR_SHARED_BEGIN(parity)
 TUKOR_SHARED_USING(optics)
 TUKOR_SHARED_USING(tonemap)
+TUKOR_SHARED_USING(transport)
 
 TUKOR_CONST int kFresnelDielectric = 0;
 TUKOR_CONST int kFresnelConductor = 1;
@@ -21,7 +24,9 @@ TUKOR_CONST int kTransmittance = 7;
 TUKOR_CONST int kTonemap = 8;  // and on: kNone .. kNeutral
 TUKOR_CONST int kSrgb = 13;
 TUKOR_CONST int kLinear = 14;
-TUKOR_CONST int kCases = 15;
+TUKOR_CONST int kIndexAt = 15;
+TUKOR_CONST int kSpectrumSample = 16;
+TUKOR_CONST int kCases = 17;
 
 /// Inputs: a = (unit d, eta), b = (unit n, cosThetaI), c = (colour or extinction, distance).
 TUKOR_FN vec4 caseResult(int which, vec4 a, vec4 b, vec4 c) {
@@ -51,6 +56,10 @@ TUKOR_FN vec4 caseResult(int which, vec4 a, vec4 b, vec4 c) {
     if (which == kTransmittance) return vec4(transmittance(colour, c.w), 0.0f);
     if (which == kSrgb) return vec4(srgbFromLinear(min(colour, vec3(1.0f))), 0.0f);
     if (which == kLinear) return vec4(linearFromSrgb(min(colour, vec3(1.0f))), 0.0f);
+    if (which == kIndexAt) return vec4(indexAt(eta, c.w, 550.0f + 170.0f * n.x));
+    if (which == kSpectrumSample) {
+        return vec4(spectrumSample(floatBitsToUint(cosThetaI), floatBitsToUint(d.x) >> 20u));
+    }
     return vec4(mapped(which - kTonemap, colour), 0.0f);
 }
 
