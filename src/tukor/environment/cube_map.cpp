@@ -98,26 +98,6 @@ glm::vec3 directionFromCube(CubePoint point) noexcept {
     return glm::vec3(axis) + point.s * glm::vec3(s) + point.t * glm::vec3(t);
 }
 
-CubePoint cubeFromDirection(glm::vec3 direction) noexcept {
-    const glm::vec3 size = glm::abs(direction);
-    if (size.x >= size.y && size.x >= size.z) {
-        const float scale = 1.0f / size.x;
-        return direction.x > 0.0f
-                   ? CubePoint{CubeFace::posX, -direction.z * scale, -direction.y * scale}
-                   : CubePoint{CubeFace::negX, direction.z * scale, -direction.y * scale};
-    }
-    if (size.y >= size.z) {
-        const float scale = 1.0f / size.y;
-        return direction.y > 0.0f
-                   ? CubePoint{CubeFace::posY, direction.x * scale, direction.z * scale}
-                   : CubePoint{CubeFace::negY, direction.x * scale, -direction.z * scale};
-    }
-    const float scale = 1.0f / size.z;
-    return direction.z > 0.0f
-               ? CubePoint{CubeFace::posZ, direction.x * scale, -direction.y * scale}
-               : CubePoint{CubeFace::negZ, -direction.x * scale, -direction.y * scale};
-}
-
 glm::vec3 directionFromTexel(CubeTexel texel, int faceSize) noexcept {
     const float scale = 1.0f / static_cast<float>(faceSize);
     return directionFromCube({texel.face,

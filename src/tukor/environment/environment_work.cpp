@@ -90,7 +90,7 @@ Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& 
                      : std::move(*source.panorama);
     const CubeMap& cube = *source.cube;
     const int to = width.value_or(4 * cube.faceSize());
-    if (source.square && to >= cube.faceSize())
+    if (source.square && 2 * to >= cube.faceSize())
         return source.ball ? panoramaFromBall(*source.square, to, progress)
                            : panoramaFromOctahedral(*source.square, to, progress);
     // Pixels are such that looking up between them gives what the cube map shows: a panorama that

@@ -157,9 +157,13 @@ glm::vec3 equirectRadiance(const Image& panorama, glm::vec3 direction) noexcept 
     return vec3FromFloat4(bilinear(panorama, x, y));
 }
 
+float equirectDensity(int width) noexcept {
+    return static_cast<float>(width) / kPi;
+}
+
 int faceSizeForEquirect(int width) noexcept {
     int faceSize = 1;
-    while (static_cast<float>(faceSize) * kPi < static_cast<float>(width)) faceSize *= 2;
+    while (static_cast<float>(faceSize) < equirectDensity(width)) faceSize *= 2;
     return faceSize;
 }
 
@@ -174,9 +178,9 @@ CubeMap cubeFromEquirect(const Image& panorama, int faceSize, const Progress& pr
             std::fill(cube.texels(face).begin(), cube.texels(face).end(), pixels.front());
         return cube;
     }
-    const float natural = static_cast<float>(panorama.width()) / kPi;
-    return static_cast<float>(faceSize) >= natural ? fittedCube(panorama, faceSize, progress)
-                                                   : areaCubeFromEquirect(panorama, faceSize);
+    return static_cast<float>(faceSize) >= equirectDensity(panorama.width())
+               ? fittedCube(panorama, faceSize, progress)
+               : areaCubeFromEquirect(panorama, faceSize);
 }
 
 }  // namespace tukor

@@ -19,7 +19,10 @@ namespace tukor {
 /// Bilinear radiance of a panorama; wraps around, and over the poles to the far side.
 [[nodiscard]] glm::vec3 equirectRadiance(const Image& panorama, glm::vec3 direction) noexcept;
 
-/// The least power of two that is at least width / pi, so that no face has fewer texels to the
+/// Texels of a face that has as many to the degree as the panorama has where it is wide.
+[[nodiscard]] float equirectDensity(int width) noexcept;
+
+/// The least power of two that is at least that, so that no face has fewer texels to the
 /// degree than the panorama: 512 for a width of 1024.
 [[nodiscard]] int faceSizeForEquirect(int width) noexcept;
 

@@ -9,10 +9,11 @@
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_axes.h"
 #include "tukor/environment/cube_function.h"
+#include "tukor/environment/cube_look_up.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/grid_point.h"
-#include "tukor/environment/richardson.h"
 #include "tukor/environment/unblurred.h"
+#include "tukor/environment/van_cittert.h"
 
 namespace tukor {
 
@@ -94,28 +95,23 @@ std::optional<glm::vec3> directionFromBall(float u, float v) {
 }
 
 /// The panorama of which a square picture of the sphere comes near this one: `place` is where in
-/// the picture a direction lies, `direction` the inverse, if any.
-Image panoramaWithPicture(int steps, const Image& picture, int width, auto&& place,
-                          auto&& direction, const Progress& progress) {
+/// the picture a direction lies, `made` the picture of a cube map.
+Image panoramaWithPicture(int steps, const Image& picture, int width, auto&& place, auto&& made,
+                          const Progress& progress) {
     const int edge = picture.width(), height = std::max(1, width / 2);
-    Image start = unblurred(pictureOf(width, height, [&](float u, float v) {
-        return valueAt(picture, place(directionFromEquirect({u, v})));
-    }));
-    return afterSteps(steps, std::move(start), [&](Image& image, float done, float next) {
-        Image ratios = pictureOf<2>(edge, edge, [&](float u, float v) {
-            const std::optional<glm::vec3> d = direction(u, v);
-            return d ? equirectRadiance(image, *d) : glm::vec3(0.0f);
+    const auto means = [&](const Image& square) {
+        return pictureOf(width, height, [&](float u, float v) {
+            return valueAt(square, place(directionFromEquirect({u, v})));
         });
-        for (std::size_t i = 0; i < ratios.pixels().size(); ++i)
-            ratios.pixels()[i] = ratioOf(picture.pixels()[i], ratios.pixels()[i]);
-        return parallelFor(0, height, 8, partOf(progress, done, next), [&](int begin, int end) {
-            for (int row = begin; row < end; ++row)
-                for (int column = 0; column < width; ++column) {
-                    const glm::vec2 at = (glm::vec2(column, row) + 0.5f) / glm::vec2(width, height);
-                    image.at(column, row) *= valueAt(ratios, place(directionFromEquirect(at)));
-                }
-        });
-    });
+    };
+    const auto missing = [&](const Image& panorama, const Progress& part) {
+        if (part && !part(0.0f)) return Image();
+        Image square = made(cubeFromEquirect(panorama, facesBeside(edge)), edge);
+        for (std::size_t i = 0; i < square.pixels().size(); ++i)
+            square.pixels()[i] = picture.pixels()[i] - square.pixels()[i];
+        return sharpened(means(square));
+    };
+    return afterSteps(steps, unblurred(means(picture)), missing, progress);
 }
 
 }  // namespace
@@ -165,14 +161,17 @@ int facesBeside(int edge) noexcept {
 }
 
 Image octahedralFromCube(const CubeMap& cube, int size) {
-    return pictureOf(
-        size, size, [&](float u, float v) { return cube.radiance(directionFromOctahedral(u, v)); });
+    const CubeLookUp radiance(cube);
+    return pictureOf(size, size, [&](float u, float v) {
+        return vec3FromFloat4(radiance(directionFromOctahedral(u, v)));
+    });
 }
 
 Image ballFromCube(const CubeMap& cube, int size) {
+    const CubeLookUp radiance(cube);
     return pictureOf(size, size, [&](float u, float v) {
         const std::optional<glm::vec3> d = directionFromBall(u, v);
-        return d ? cube.radiance(*d) : glm::vec3(0.0f);
+        return d ? vec3FromFloat4(radiance(*d)) : glm::vec3(0.0f);
     });
 }
 
@@ -189,16 +188,15 @@ CubeMap cubeFromBall(const Image& picture, int faceSize) {
 }
 
 Image panoramaFromOctahedral(const Image& picture, int width, const Progress& progress) {
-    return panoramaWithPicture(
-        8, picture, width, octahedralFromDirection,
-        [](float u, float v) { return std::optional(directionFromOctahedral(u, v)); }, progress);
+    return panoramaWithPicture(8, picture, width, octahedralFromDirection, octahedralFromCube,
+                               progress);
 }
 
 Image panoramaFromBall(const Image& picture, int width, const Progress& progress) {
     // Few: what lies behind the ball is a thin ring along its rim, and would be made up.
     return panoramaWithPicture(
-        4, picture, width, [&](glm::vec3 d) { return ballFromDirection(d, picture.width()); },
-        directionFromBall, progress);
+        3, picture, width, [&](glm::vec3 d) { return ballFromDirection(d, picture.width()); },
+        ballFromCube, progress);
 }
 
 }  // namespace tukor

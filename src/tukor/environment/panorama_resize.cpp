@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "tukor/base/parallel.h"
+#include "tukor/environment/cube_look_up.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/float4.h"
 #include "tukor/environment/panorama.h"
-#include "tukor/environment/richardson.h"
 #include "tukor/environment/unblurred.h"
+#include "tukor/environment/van_cittert.h"
 
 namespace tukor {
 
@@ -147,61 +148,126 @@ Image shrunkPanorama(const Image& panorama, int width, const Progress& progress)
     return image;
 }
 
-/// CubeMap::radiance in few instructions where all four texels are on one face.
-class LookUp {
-public:
-    explicit LookUp(const CubeMap& cube)
-        : cube_(cube), half_(0.5f * static_cast<float>(cube.faceSize())) {
-        for (const CubeFace face : kCubeFaces)
-            faces_[static_cast<std::size_t>(face)] = cube.texels(face).data();
-    }
-
-    [[nodiscard]] Float4 operator()(glm::vec3 direction) const noexcept {
-        const CubePoint point = cubeFromDirection(direction);
-        const float u = point.s * half_ + (half_ - 0.5f), v = point.t * half_ + (half_ - 0.5f);
-        const int size = cube_.faceSize();
-        // The last load reads one float beyond its texel: not where that is the last of all.
-        if (!(u >= 0.0f && v >= 0.0f && u < static_cast<float>(size - 2) &&
-              v < static_cast<float>(size - 1)))
-            return float4(cube_.radiance(direction));
-        const int column = static_cast<int>(u), row = static_cast<int>(v);
-        const glm::vec3* const above =
-            faces_[static_cast<std::size_t>(point.face)] +
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + column;
-        const glm::vec3* const below = above + size;
-        const float right = u - static_cast<float>(column), down = v - static_cast<float>(row);
-        Float4 a = loadFloat4(above), b = loadFloat4(below);
-        a += right * (loadFloat4(above + 1) - a);
-        b += right * (loadFloat4(below + 1) - b);
-        return a + down * (b - a);
-    }
-
-private:
-    const CubeMap& cube_;
-    float half_;
-    std::array<const glm::vec3*, 6> faces_;
+/// The one or two source pixels that a target pixel of a finer grid lies in, along one axis.
+struct Overlap {
+    int first, second;
+    float share;  // of the second
 };
 
-/// Scales the pixels within each pixel of `means` by one factor, so that their mean is that pixel:
-/// what unblurred leaves where light and dark lie too close together. Exact where whole pixels fit.
+std::vector<Overlap> overlaps(int sourceSize, int targetSize) {
+    std::vector<Overlap> all;
+    for (long long i = 0; i < targetSize; ++i) {
+        const long long left = i * sourceSize, right = left + sourceSize;  // in target sizes
+        const long long first = left / targetSize, over = right - (first + 1) * targetSize;
+        all.push_back({static_cast<int>(first), static_cast<int>(over > 0 ? first + 1 : first),
+                       over > 0 ? static_cast<float>(over) / static_cast<float>(sourceSize) : 0});
+    }
+    return all;
+}
+
+/// By what what `is` there has to be divided to become what is `wanted`: exactly 1 where it is.
+glm::vec3 excessOf(glm::vec3 is, glm::vec3 wanted) noexcept {
+    for (int c = 0; c < 3; ++c)
+        is[c] = is[c] == wanted[c] ? 1.0f : is[c] / std::max(wanted[c], 1e-9f * is[c]);
+    return is;
+}
+
+glm::vec3 withoutExcess(glm::vec3 pixel, glm::vec3 excess) noexcept {
+    for (int c = 0; c < 3; ++c)
+        if (excess[c] > 0.0f) pixel[c] /= excess[c];
+    return pixel;
+}
+
+/// Scales the pixels within each pixel of `means` so that their mean is that pixel: what unblurred
+/// leaves where light and dark lie too close together. Exact where whole pixels fit. What lies in
+/// several takes the harmonic mean of their factors, which the darkest decides: so that repeated
+/// scaling comes nearer quickly [Deming & Stephan 1940].
 void scaleToMeans(Image& image, const Image& means, const Progress& progress) {
-    const Image found = shrunkPanorama(image, means.width(), Progress());
+    Image excess = shrunkPanorama(image, means.width(), Progress());
+    for (std::size_t i = 0; i < excess.pixels().size(); ++i)
+        excess.pixels()[i] = excessOf(excess.pixels()[i], means.pixels()[i]);
+    const std::vector<Overlap> across = overlaps(means.width(), image.width());
+    const std::vector<Overlap> down = overlaps(means.height(), image.height());
     (void)parallelFor(0, image.height(), 32, progress, [&](int begin, int end) {
         for (int row = begin; row < end; ++row) {
-            // The pixel in which this one's middle lies, in integers.
-            const int below =
-                static_cast<int>((2ll * row + 1) * means.height() / (2 * image.height()));
+            const Overlap& y = down[static_cast<std::size_t>(row)];
             for (int column = 0; column < image.width(); ++column) {
-                const int beside =
-                    static_cast<int>((2ll * column + 1) * means.width() / (2 * image.width()));
-                const glm::vec3& wanted = means.at(beside, below);
-                const glm::vec3& is = found.at(beside, below);
+                const Overlap& x = across[static_cast<std::size_t>(column)];
+                const auto along = [&](int j) {
+                    const glm::vec3 first = excess.at(x.first, j);
+                    return first + x.share * (excess.at(x.second, j) - first);
+                };
+                const glm::vec3 upper = along(y.first);
                 glm::vec3& pixel = image.at(column, row);
-                for (int c = 0; c < 3; ++c)
-                    if (is[c] > 0.0f && is[c] != wanted[c]) pixel[c] *= wanted[c] / is[c];
+                pixel = withoutExcess(pixel, upper + y.share * (along(y.second) - upper));
             }
         }
     });
+}
+
+/// A panorama of means of `across` x `across` look-ups.
+template <int across>
+Image meansOf(const CubeMap& cube, int width, const Progress& progress) {
+    const int height = std::max(1, width / 2);
+    std::vector<glm::vec2> longitudes,
+        colatitudes;  // of columns and rows of look-ups: sine, cosine
+    for (int i = 0; i < across * width; ++i) {
+        const double angle = 2.0 * kPi * ((i + 0.5) / (across * static_cast<double>(width)) - 0.5);
+        longitudes.emplace_back(std::sin(angle), std::cos(angle));
+    }
+    for (int i = 0; i < across * height; ++i) {
+        const double angle = kPi * (i + 0.5) / (across * static_cast<double>(height));
+        colatitudes.emplace_back(std::sin(angle), std::cos(angle));
+    }
+    const CubeLookUp radiance(cube);
+    Image image(width, height);
+    (void)parallelFor(0, height, 8, progress, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row)
+            for (int column = 0; column < width; ++column) {
+                Float4 sum{};
+                for (int i = 0; i < across * across; ++i) {
+                    const auto j = static_cast<std::size_t>(across * row + i / across);
+                    const auto k = static_cast<std::size_t>(across * column + i % across);
+                    const glm::vec2 down = colatitudes[j], beside = longitudes[k];
+                    sum += radiance({down.x * beside.x, down.y, -down.x * beside.y});
+                }
+                image.at(column, row) = vec3FromFloat4(sum / static_cast<float>(across * across));
+            }
+    });
+    return image;
+}
+
+/// Where no panorama gives what is given, steps overshoot: dark and bright rims around lamps. There
+/// pixels become those of `calm`, and leave the range of `means` around them by at most a quarter:
+/// below, and where these are alike, above. `missed`: by how much what is given is missed.
+void calmDown(Image& panorama, const Image& calm, const Image& means, const Image& missed) {
+    constexpr float kMostMissed = 0.2f;
+    const int width = panorama.width(), height = panorama.height();
+    parallelFor(0, height, 16, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row)
+            for (int column = 0; column < width; ++column) {
+                glm::vec3 least = means.at(column, row), most = least;
+                for (int j = std::max(row - 1, 0); j <= std::min(row + 1, height - 1); ++j)
+                    for (int i = column - 1; i <= column + 1; ++i) {
+                        least = glm::min(least, means.at((i + width) % width, j));
+                        most = glm::max(most, means.at((i + width) % width, j));
+                    }
+                if (!glm::any(glm::greaterThan(missed.at(column, row), kMostMissed * least)))
+                    continue;
+                glm::vec3& pixel = panorama.at(column, row);
+                pixel = glm::max(calm.at(column, row), 0.75f * least);
+                for (int c = 0; c < 3; ++c)
+                    if (most[c] <= 2.0f * least[c]) pixel[c] = std::min(pixel[c], 1.25f * most[c]);
+            }
+    });
+}
+
+/// Also says in `stopped` whether the work was asked to stop; both must outlive what is returned.
+Progress watched(const Progress& progress, bool& stopped) {
+    return [&](float fraction) {
+        stopped = stopped || (progress && !progress(fraction));
+        return !stopped;
+    };
 }
 
 }  // namespace
@@ -210,72 +276,69 @@ Image resizedPanorama(const Image& panorama, int width, const Progress& progress
     if (width == panorama.width() && std::max(1, width / 2) == panorama.height()) return panorama;
     if (width < panorama.width()) return shrunkPanorama(panorama, width, progress);
     Image grown = grownPanorama(unblurred(panorama), width, partOf(progress, 0.0f, 0.5f));
-    scaleToMeans(grown, panorama, partOf(progress, 0.5f, 1.0f));
+    const int steps = width % panorama.width() == 0 ? 1 : 16;
+    for (int i = 0; i < steps; ++i) {
+        const auto part = [&](int step) {
+            return 0.5f + 0.5f * static_cast<float>(step) / static_cast<float>(steps);
+        };
+        scaleToMeans(grown, panorama, partOf(progress, part(i), part(i + 1)));
+    }
     return grown;
 }
 
 Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress) {
-    const int height = std::max(1, width / 2);
-    if (isConstant(cube)) {
-        Image image(width, height);
-        std::fill(image.pixels().begin(), image.pixels().end(),
-                  cube.texels(CubeFace::posX).front());
-        return image;
-    }
-    // Means of 3 x 3 look-ups. Longitudes and colatitudes of all columns and rows of them:
-    std::vector<glm::vec2> longitudes, colatitudes;  // sine, cosine
-    for (int i = 0; i < 3 * width; ++i) {
-        const double angle = 2.0 * kPi * ((i + 0.5) / (3.0 * width) - 0.5);
-        longitudes.emplace_back(std::sin(angle), std::cos(angle));
-    }
-    for (int i = 0; i < 3 * height; ++i) {
-        const double angle = kPi * (i + 0.5) / (3.0 * height);
-        colatitudes.emplace_back(std::sin(angle), std::cos(angle));
-    }
-    const LookUp radiance(cube);
-    Image image(width, height);
-    (void)parallelFor(0, height, 8, progress, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row)
-            for (int column = 0; column < width; ++column) {
-                Float4 sum{};
-                for (int i = 0; i < 9; ++i) {
-                    const glm::vec2 down = colatitudes[static_cast<std::size_t>(3 * row + i / 3)];
-                    const glm::vec2 across =
-                        longitudes[static_cast<std::size_t>(3 * column + i % 3)];
-                    sum += radiance({down.x * across.x, down.y, -down.x * across.y});
-                }
-                image.at(column, row) = vec3FromFloat4(sum / 9.0f);
-            }
-    });
+    if (!isConstant(cube)) return meansOf<3>(cube, width, progress);
+    Image image(width, std::max(1, width / 2));
+    std::fill(image.pixels().begin(), image.pixels().end(), cube.texels(CubeFace::posX).front());
     return image;
 }
 
 Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progress) {
-    // Of faces finer than the panorama means are compared.
-    const int size = std::min(cube.faceSize(), width), finer = std::min(cube.faceSize(), 2 * width);
+    // Around the poles of a panorama only faces finer than it know its columns apart.
+    const int size = std::min(cube.faceSize(), 2 * width);
+    const int finer = std::min(cube.faceSize(), 4 * width);
     const CubeMap given = size < cube.faceSize() ? shrunkCube(cube, size) : cube;
-    Image start = unblurred(panoramaFromCube(given, width, partOf(progress, 0.0f, 0.3f)));
-    if (isConstant(cube)) return start;
-    constexpr int kSteps = 8;
-    return afterSteps(kSteps, std::move(start), [&](Image& image, float done, float next) {
-        const CubeMap made = cubeFromEquirect(image, finer);
-        CubeMap ratios = finer > size ? shrunkCube(made, size) : made;
+    Image means = panoramaFromCube(given, width, partOf(progress, 0.0f, 0.1f));
+    if (isConstant(cube)) return means;
+    // What the panorama gives, against what is given.
+    const auto compared = [&](const Image& panorama, auto&& compare) {
+        CubeMap made = cubeFromEquirect(panorama, finer);
+        if (finer > size) made = shrunkCube(made, size);
         for (const CubeFace face : kCubeFaces)
-            for (std::size_t i = 0; i < ratios.texels(face).size(); ++i)
-                ratios.texels(face)[i] = ratioOf(given.texels(face)[i], ratios.texels(face)[i]);
-        const LookUp ratio(ratios);
-        return parallelFor(
-            0, image.height(), 8, partOf(progress, 0.3f + 0.7f * done, 0.3f + 0.7f * next),
-            [&](int begin, int end) {
-                for (int row = begin; row < end; ++row)
-                    for (int column = 0; column < width; ++column) {
-                        const glm::vec2 place = (glm::vec2(column, row) + 0.5f) /
-                                                glm::vec2(image.width(), image.height());
-                        image.at(column, row) *=
-                            vec3FromFloat4(ratio(directionFromEquirect(place)));
-                    }
-            });
-    });
+            for (std::size_t i = 0; i < made.texels(face).size(); ++i)
+                made.texels(face)[i] = compare(made.texels(face)[i], given.texels(face)[i]);
+        return made;
+    };
+    // Faces coarser than the panorama hold means of its pixels, which are scaled to them.
+    const auto scaled = [&](const Image& panorama, const Progress& part) {
+        bool stopped = false;
+        Image image = meansOf<1>(compared(panorama, excessOf), width, watched(part, stopped));
+        for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+            const glm::vec3 pixel = panorama.pixels()[i];
+            image.pixels()[i] = withoutExcess(pixel, image.pixels()[i]) - pixel;
+        }
+        return stopped ? Image() : image;
+    };
+    const Image calm = unblurred(means);
+    constexpr int kSteps = 8;
+    if (static_cast<float>(size) < equirectDensity(width))
+        return afterSteps(kSteps, calm, scaled, partOf(progress, 0.1f, 1.0f));
+
+    const auto less = [](glm::vec3 is, glm::vec3 wanted) { return wanted - is; };
+    const auto missing = [&](const Image& panorama, const Progress& part) {
+        bool stopped = false;
+        const Progress watch = watched(part, stopped);
+        const CubeMap there = compared(panorama, less);
+        // Of texels as large as pixels fewer look-ups will do.
+        const Image mean =
+            size > width ? meansOf<3>(there, width, watch) : meansOf<2>(there, width, watch);
+        return stopped ? Image() : sharpened(mean);
+    };
+    Image panorama = afterSteps(kSteps, calm, missing, partOf(progress, 0.1f, 0.9f));
+    const auto apart = [](glm::vec3 is, glm::vec3 wanted) { return glm::abs(wanted - is); };
+    calmDown(panorama, calm, means,
+             meansOf<2>(compared(panorama, apart), width, partOf(progress, 0.9f, 1.0f)));
+    return panorama;
 }
 
 }  // namespace tukor

@@ -1,6 +1,7 @@
 // Through every layout, file type and texel format and back: what is lost is the format's
 // precision.
 #include <cmath>
+#include <random>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "tukor/base/test_folder.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/texture_chain.h"
+#include "tukor/image/display.h"
 
 namespace tukor {
 namespace {
@@ -147,6 +149,50 @@ Image waves(int width) {
             image.at(column, row) =
                 glm::vec3(0.5f + 0.3f * std::sin(1.0472f * static_cast<float>(column + row)));
     return image;
+}
+
+/// Every pixel of its own, and some lamps a thousand times brighter.
+Image leaves(int width) {
+    Image image(width, width / 2);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> even(0.05f, 0.9f);
+    for (glm::vec3& pixel : image.pixels()) pixel = {even(random), even(random), even(random)};
+    for (int i = 0; i < 5; ++i) image.at(width / 5 * i + 3, width / 8 + 3 * i) = glm::vec3(300.0f);
+    return image;
+}
+
+/// There and back, to the nearest code of eight bits or the next within 60 degrees of the horizon:
+/// nearer to the poles pixels become smaller than texels.
+void expectBackToEightBits(PictureForm form, int size) {
+    constexpr int kWidth = 96;
+    const TestFolder folder;
+    const std::string path = folder.path(form == PictureForm::faces ? "there_{}.exr" : "there.exr");
+    const Image before = leaves(kWidth);
+    WorkSource source;
+    source.panorama = before;
+    saveWork(path, source, {form, size});
+    saveWork(folder.path("back.exr"), loadWorkSource(path, form), {PictureForm::equirect, kWidth});
+    const Image back = loadPicture(folder.path("back.exr"));
+    for (int row = kWidth / 12; row < kWidth / 2 - kWidth / 12; ++row)
+        for (int column = 0; column < kWidth; ++column)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(srgb8(back.at(column, row)[c]), srgb8(before.at(column, row)[c]), 1)
+                    << column << ", " << row;
+}
+
+TEST(RoundTripFaces, TwiceAsFineBringsThePanoramaBack) {
+    expectBackToEightBits(PictureForm::faces, 96);
+    expectBackToEightBits(PictureForm::faces, 192);
+}
+
+TEST(RoundTripOctahedral, TwiceAsFineBringsThePanoramaBack) {
+    expectBackToEightBits(PictureForm::octahedral, 192);
+    expectBackToEightBits(PictureForm::octahedral, 384);
+}
+
+TEST(RoundTripPanorama, OfAnyLargerSizeBringsThePanoramaBack) {
+    expectBackToEightBits(PictureForm::equirect, 144);
+    expectBackToEightBits(PictureForm::equirect, 288);
 }
 
 TEST(RoundTripFaces, MuchFinerThanThePanoramaBringItBack) {

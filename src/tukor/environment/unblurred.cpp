@@ -83,6 +83,14 @@ void convolve(const Image& image, const Kernel<kReach>& kernel, const Use& use) 
 
 }  // namespace
 
+Image sharpened(const Image& means) {
+    Image result(means.width(), means.height());
+    convolve(means, inverseOfBlur(), [&](int column, int row, Float4 sum) {
+        result.at(column, row) = vec3FromFloat4(sum);
+    });
+    return result;
+}
+
 Image unblurred(const Image& means) {
     Image result(means.width(), means.height());
     Image ratios(means.width(), means.height());

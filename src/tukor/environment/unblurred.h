@@ -11,4 +11,7 @@ namespace tukor {
 /// exists, it is the likeliest [Richardson 1972]. A constant stays exactly constant.
 [[nodiscard]] Image unblurred(const Image& means);
 
+/// The same of what may be negative, wherever that leads.
+[[nodiscard]] Image sharpened(const Image& means);
+
 }  // namespace tukor
