@@ -56,9 +56,10 @@ def row(scene, map_name, curves, noise, common, promised, cycles, whole):
 
 def throughput(scene):
     """A row of the table: million rays a CPU second, of Embree alone and of trace, the best of three each."""
-    triangles, building = scenes.traversal(scene, triangles=True)
-    alone, _ = scenes.traversal(scene)
-    cpu, picture = min((scenes.tukor(scene, "forest", ["--samples", 16]) for _ in range(3)), key=lambda r: r[0])
+    samples = 16
+    triangles, building = scenes.traversal(scene, samples, triangles=True)
+    alone, _ = scenes.traversal(scene, samples)
+    cpu, picture = min((scenes.tukor(scene, "forest", ["--samples", samples]) for _ in range(3)), key=lambda r: r[0])
     start = scenes.start(scene, "forest")
     ours = int(scenes.header_text(picture, "rays")) / (cpu - start) / 1e6
     return f"| {scene} | {triangles:.2f} | {alone:.2f} | {ours:.2f} | {ours / triangles:.0%} | {ours / alone:.0%} | {start:.2f} | {building:.2f} |"
@@ -130,7 +131,7 @@ Reported / true RMSE in 8-bit sRGB; true is the distance from the reference, the
 {promises}
 
 ## Throughput
-Million rays a second of CPU: Embree alone casting the rays of trace in its order and packets, and trace with 16 samples a pixel under `forest`, less the
+Million rays a second of CPU: Embree alone casting the very packets that trace casts for 16 samples a pixel, and trace with these samples under `forest`, less the
 start (the same process with one sample of 16x9 pixels: loading, tree, environment). *Triangles*: those of the files, all that Embree knows of; *closed form*:
 what is left to it once trace has found that a mesh is a sphere and meets it by formula.
 

@@ -183,11 +183,11 @@ def errors(references, pictures):
     return [tuple(map(float, line.split())) for line in text.splitlines()]
 
 
-def traversal(scene, triangles=False):
-    """(million rays a CPU second of Embree alone at 4 samples a pixel, CPU seconds of building); the best of three.
+def traversal(scene, samples, triangles=False):
+    """(million rays a CPU second of Embree alone, CPU seconds of building); the best of three.
 
     `triangles`: spheres are cast as the triangles that the file has, not in closed form as trace does.
     """
-    words = [BUILD / "bench/traversal", "%dx%d" % SIZE, 4, EYE_Z, FOV, *models_for_tukor(scene), *(["--triangles"] if triangles else [])]
+    words = [BUILD / "bench/traversal", "%dx%d" % SIZE, samples, EYE_Z, FOV, *models_for_tukor(scene), *(["--triangles"] if triangles else [])]
     rays, building, casting = min((tuple(map(float, run(words)[1].split())) for _ in range(3)), key=lambda r: r[2])
     return rays / casting / 1e6, building

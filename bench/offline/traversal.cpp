@@ -5,9 +5,8 @@
 //
 // --triangles: spheres, too, are cast as the triangles they are made of; trace knows their form.
 //
-// Follows the tree of every camera ray as trace does, 64 at a time, keeps the rays in the order and
-// the packets in which trace would cast them, and then casts them again with nothing between.
-// Prints the number of rays, and CPU seconds for building Embree's tree and for casting.
+// Traces the picture, keeps every packet that is cast, and then casts them again with nothing
+// between. Prints the number of rays, and CPU seconds for building Embree's tree and for casting.
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -20,8 +19,7 @@
 #include "tukor/base/parallel.h"
 #include "tukor/scene/assign_materials.h"
 #include "tukor/scene/model_file.h"
-#include "tukor/trace/frame.h"
-#include "tukor/transport/sampler.h"
+#include "tukor/trace/passes.h"
 
 namespace {
 
@@ -37,76 +35,6 @@ struct Packet {
     int count;
     Coherence coherence;
 };
-
-class Recorder {
-public:
-    Recorder(const SurfaceTable& surfaces, const RayCaster& caster,
-             transport::TransportSettings settings)
-        : surfaces_(surfaces), caster_(caster), settings_(settings) {}
-
-    /// The trees of these camera rays, in step.
-    void follow(std::vector<transport::Tree>& trees) {
-        Coherence coherence = Coherence::rays;
-        while (!trees.empty()) {
-            for (std::size_t begin = 0; begin < trees.size(); begin += kPacketWidth) {
-                cast(&trees[begin],
-                     static_cast<int>(std::min<std::size_t>(kPacketWidth, trees.size() - begin)),
-                     coherence);
-            }
-            coherence = Coherence::none;
-            std::erase_if(trees, [&](transport::Tree& tree) {
-                while (tree.alive && transport::spent(tree, settings_)) {
-                    (void)transport::cutBranch(tree);
-                }
-                return !tree.alive;
-            });
-        }
-    }
-
-    [[nodiscard]] const std::vector<Packet>& packets() const { return packets_; }
-
-private:
-    void cast(transport::Tree* trees, int count, Coherence coherence) {
-        Packet& packet = packets_.emplace_back();
-        packet.count = count;
-        packet.coherence = coherence;
-        for (int i = 0; i < count; ++i) {
-            packet.rays.set(i, trees[i].branch.origin, trees[i].branch.direction,
-                            trees[i].branch.skip);
-            ++trees[i].rays;
-        }
-        std::array<RayHit, kPacketWidth> hits;
-        caster_.cast(packet.rays, count, coherence, hits);
-        for (int i = 0; i < count; ++i) {
-            const RayHit& hit = hits[static_cast<std::size_t>(i)];
-            if (hit.surface < 0) {
-                (void)transport::escape(trees[i]);
-                continue;
-            }
-            const transport::SurfaceHit surface =
-                surfaces_.at(hit, trees[i].branch.origin, trees[i].branch.direction);
-            const transport::Encounter met = transport::encounter(trees[i].branch, surface);
-            (void)transport::scatter(trees[i], surface, met, surfaces_.medium(met.from),
-                                     surfaces_.medium(met.to), settings_);
-        }
-    }
-
-    const SurfaceTable& surfaces_;
-    const RayCaster& caster_;
-    transport::TransportSettings settings_;
-    std::vector<Packet> packets_;
-};
-
-transport::Tree treeAt(const RayGenerator& camera, glm::vec2 at, std::uint32_t seed,
-                       std::uint32_t index) {
-    transport::Branch ray{};
-    ray.origin = camera.eye;
-    ray.direction = glm::normalize(camera.direction(at.x, at.y));
-    ray.throughput = glm::vec3(1.0f);
-    ray.footprint = transport::thinFootprint();
-    ray.skip = -1;
-    return transport::startTree(ray, seed, index);
-}
 
 SurfaceTable trianglesOf(const Scene& scene) {
     const MediaTable table = mediaOf(scene);
@@ -147,25 +75,33 @@ int run(int argc, char** argv) {
 
     const double begin = cpuSeconds();
     const SurfaceTable surfaces = triangles ? trianglesOf(scene) : SurfaceTable(scene);
-    const RayCaster caster(surfaces);
+    RayCaster caster(surfaces);
     const double built = cpuSeconds();
-    const RayGenerator camera(eye, options.width, options.height);
-    Recorder recorder(surfaces, caster, transportSettings(options));
-    std::vector<transport::Tree> trees;
-    for (int pixel = 0; pixel < options.width * options.height; ++pixel) {
-        const std::uint32_t seed = transport::mixedBits(static_cast<std::uint32_t>(pixel));
-        for (std::uint32_t s = 0; s < samples; ++s) {
-            const glm::vec2 place = transport::pixelSample(seed, s) +
-                                    glm::vec2(pixel % options.width, pixel / options.width);
-            trees.push_back(treeAt(camera, place, seed, s));
-            if (trees.size() == 64) recorder.follow(trees);
-        }
-    }
-    recorder.follow(trees);
+
+    std::vector<Packet> packets;
+    caster.watch([&](const RayPacket& rays, int count, Coherence coherence) {
+        packets.push_back({rays, count, coherence});
+    });
+    const EnvironmentMap black(CubeMap(1), 0.0f, 1.0f);
+    const Frame frame{.surfaces = surfaces,
+                      .caster = caster,
+                      .environment = black,
+                      .camera = RayGenerator(eye, options.width, options.height),
+                      .settings = transportSettings(options),
+                      .eyeMedia = 0,
+                      .background = true,
+                      .width = options.width,
+                      .height = options.height,
+                      .seed = options.seed,
+                      .splitGrazing = options.splitGrazing};
+    const RenderProgress nobody;
+    Passes passes(frame, {.samples = samples, .error = {}, .timeSeconds = {}}, nobody);
+    passes.run();
+    caster.watch({});
 
     std::size_t rays = 0;
     const double before = cpuSeconds();
-    for (const Packet& packet : recorder.packets()) {
+    for (const Packet& packet : packets) {
         std::array<RayHit, kPacketWidth> hits;
         caster.cast(packet.rays, packet.count, packet.coherence, hits);
         rays += static_cast<std::size_t>(packet.count);

@@ -143,6 +143,7 @@ RayCaster::~RayCaster() = default;
 
 void RayCaster::cast(const RayPacket& rays, int count, Coherence coherence,
                      std::array<RayHit, kPacketWidth>& hits) const noexcept {
+    if (watch_) watch_(rays, count, coherence);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = coherence == Coherence::rays ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT

@@ -1,7 +1,9 @@
 // Nearest hits along rays, eight at a time. The file behind it is the only one that knows Embree.
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "tukor/trace/surfaces.h"
 
@@ -49,9 +51,15 @@ public:
     [[nodiscard]] RayHit cast(glm::vec3 origin, glm::vec3 direction, int skip,
                               float beyond = 0.0f) const noexcept;
 
+    /// For measurements: is shown every packet before it is cast. Threads must not share the
+    /// caster.
+    using Watch = std::function<void(const RayPacket& rays, int count, Coherence coherence)>;
+    void watch(Watch watch) { watch_ = std::move(watch); }
+
 private:
     struct Embree;
     std::unique_ptr<Embree> embree_;
+    Watch watch_;
 };
 
 }  // namespace tukor::trace
