@@ -90,6 +90,7 @@ Image panoramaAt(WorkSource&& source, std::optional<int> width, const Progress& 
                      : std::move(*source.panorama);
     const CubeMap& cube = *source.cube;
     const int to = width.value_or(4 * cube.faceSize());
+    // Of squares much finer than the panorama means are enough: those of the cube map.
     if (source.square && 2 * to >= cube.faceSize())
         return source.ball ? panoramaFromBall(*source.square, to, progress)
                            : panoramaFromOctahedral(*source.square, to, progress);

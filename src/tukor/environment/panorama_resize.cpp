@@ -165,7 +165,7 @@ std::vector<Overlap> overlaps(int sourceSize, int targetSize) {
     return all;
 }
 
-/// By what what `is` there has to be divided to become what is `wanted`: exactly 1 where it is.
+/// What `is` has to be divided by to become `wanted`: exactly 1 where they are equal.
 glm::vec3 excessOf(glm::vec3 is, glm::vec3 wanted) noexcept {
     for (int c = 0; c < 3; ++c)
         is[c] = is[c] == wanted[c] ? 1.0f : is[c] / std::max(wanted[c], 1e-9f * is[c]);
@@ -209,8 +209,8 @@ void scaleToMeans(Image& image, const Image& means, const Progress& progress) {
 template <int across>
 Image meansOf(const CubeMap& cube, int width, const Progress& progress) {
     const int height = std::max(1, width / 2);
-    std::vector<glm::vec2> longitudes,
-        colatitudes;  // of columns and rows of look-ups: sine, cosine
+    // Of columns and rows of look-ups: sine, cosine.
+    std::vector<glm::vec2> longitudes, colatitudes;
     for (int i = 0; i < across * width; ++i) {
         const double angle = 2.0 * kPi * ((i + 0.5) / (across * static_cast<double>(width)) - 0.5);
         longitudes.emplace_back(std::sin(angle), std::cos(angle));

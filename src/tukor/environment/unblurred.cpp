@@ -92,13 +92,11 @@ Image sharpened(const Image& means) {
 }
 
 Image unblurred(const Image& means) {
-    Image result(means.width(), means.height());
+    Image result = sharpened(means);
     Image ratios(means.width(), means.height());
-    convolve(means, inverseOfBlur(), [&](int column, int row, Float4 sum) {
-        // What the steps below multiply must not be 0, nor far from it.
-        const glm::vec3& mean = means.at(column, row);
-        result.at(column, row) = glm::max(vec3FromFloat4(sum), 0.125f * mean);
-    });
+    // What the steps below multiply must not be 0, nor far from it.
+    for (std::size_t i = 0; i < result.pixels().size(); ++i)
+        result.pixels()[i] = glm::max(result.pixels()[i], 0.125f * means.pixels()[i]);
     // Where the inverse was positive all ratios are 1; elsewhere each step keeps the sum and comes
     // nearer. Four leave a thousandth of photographs.
     constexpr int kSteps = 4;
