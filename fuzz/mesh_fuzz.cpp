@@ -11,7 +11,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::span<const std::byte> bytes = std::as_bytes(std::span(data, size));
     tukor::Notes notes;
-    (void)tukor::readMtl(bytes, notes);
+    tukor::FileTextures textures("/nowhere/fuzz.obj", notes);
+    (void)tukor::readMtl(bytes, textures, notes);
+    textures.decode();
     for (const auto load : {tukor::loadObj, tukor::loadPly, tukor::loadStl}) {
         try {
             (void)load("/nowhere/fuzz.obj", bytes, {});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <initializer_list>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -20,6 +21,7 @@
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
 #include "tukor/materials/materials.h"
+#include "tukor/scene/file_textures.h"
 #include "tukor/scene/finish_mesh.h"
 #include "tukor/scene/sibling_file.h"
 #include "tukor/scene/surface.h"
@@ -113,16 +115,128 @@ glm::dmat4 matrixOf(const aiMatrix4x4& m) noexcept {
                                      m.c3, m.c4, m.d1, m.d2, m.d3, m.d4));
 }
 
-Surface surfaceOf(const aiMaterial& material) {
+// Of FBX, whose unit is a centimetre unless it says another.
+double metresPerUnit(const aiScene& scene) {
+    double centimetres = 0.0;
+    float single = 0.0f;
+    if (scene.mMetaData == nullptr) return 1.0;
+    if (scene.mMetaData->Get("UnitScaleFactor", single))
+        centimetres = static_cast<double>(single);
+    else if (!scene.mMetaData->Get("UnitScaleFactor", centimetres))
+        return 1.0;
+    return centimetres > 0.0 && std::isfinite(centimetres) ? 0.01 * centimetres : 1.0;
+}
+
+// v runs up there.
+TextureMap mapOf(const aiMaterial& material, aiTextureType type, unsigned uvSet) {
+    TextureMap map;
+    map.uvSet = static_cast<int>(uvSet);
+    aiUVTransform t;
+    if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), t) == AI_SUCCESS)
+        map.imageFromUv =
+            glm::mat3x2(glm::vec2(t.mScaling.x, 0.0f), glm::vec2(0.0f, t.mScaling.y),
+                        glm::vec2(t.mTranslation.x, 1.0f - t.mScaling.y - t.mTranslation.y));
+    const auto wrap = [](int mode) {
+        return mode == aiTextureMapMode_Clamp    ? Wrap::clamp
+               : mode == aiTextureMapMode_Mirror ? Wrap::mirror
+                                                 : Wrap::repeat;
+    };
+    int modeU = aiTextureMapMode_Wrap, modeV = aiTextureMapMode_Wrap;
+    (void)material.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), modeU);
+    (void)material.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), modeV);
+    map.wrapU = wrap(modeU);
+    map.wrapV = wrap(modeV);
+    return map;
+}
+
+/// The textures of one material.
+class MaterialTextures {
+public:
+    MaterialTextures(const aiScene& scene, const aiMaterial& material, FileTextures& textures,
+                     Notes& notes)
+        : scene_(scene), material_(material), textures_(textures), notes_(notes) {}
+
+    /// The first of these that there is; without texels where there is none.
+    [[nodiscard]] TextureMap first(std::initializer_list<aiTextureType> types) {
+        for (const aiTextureType type : types) {
+            aiString file;
+            unsigned uvSet = 0;
+            if (material_.GetTexture(type, 0, &file, nullptr, &uvSet) != AI_SUCCESS) continue;
+            if (uvSet > 1) {
+                notes_.add("textures on a third set of coordinates are not rendered",
+                           material_.GetName().C_Str());
+                continue;
+            }
+            TextureMap map = mapOf(material_, type, uvSet);
+            map.texels = picture(file);
+            if (map.texels) return map;
+        }
+        return {};
+    }
+
+private:
+    FileTextures::Picture picture(const aiString& name) {
+        const aiTexture* const inside = scene_.GetEmbeddedTexture(name.C_Str());
+        if (inside == nullptr) return textures_.file(name.C_Str());
+        if (inside->mHeight > 0) {
+            notes_.add("textures that are not compressed, left out", printable(name.C_Str()));
+            return nullptr;
+        }
+        return textures_.encoded(
+            name.C_Str(), std::as_bytes(std::span(reinterpret_cast<const char*>(inside->pcData),
+                                                  inside->mWidth)));
+    }
+
+    const aiScene& scene_;
+    const aiMaterial& material_;
+    FileTextures& textures_;
+    Notes& notes_;
+};
+
+void addTextures(MaterialTextures& found, Surface& surface, FileTextures& textures) {
+    const auto give = [&](TextureRole role, TextureMap map, FileTextures::Picture texels) {
+        map.texels = std::move(texels);
+        surface.maps[static_cast<std::size_t>(role)] = std::move(map);
+    };
+    const auto whole = [](glm::vec3& factor) {  // black beside a texture: it counts alone
+        if (factor == glm::vec3(0.0f)) factor = glm::vec3(1.0f);
+    };
+    const TextureMap colour = found.first({aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
+    if (colour.texels) whole(surface.baseColor);
+    give(TextureRole::baseColor, colour, colour.texels);
+
+    const TextureMap light = found.first({aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
+    if (light.texels) whole(surface.emission);
+    give(TextureRole::emission, light, light.texels);
+
+    const TextureMap metallic = found.first({aiTextureType_METALNESS});
+    const TextureMap roughness = found.first({aiTextureType_DIFFUSE_ROUGHNESS});
+    give(TextureRole::metallicRoughness, metallic.texels ? metallic : roughness,
+         textures.metallicRoughness(metallic.texels, roughness.texels));
+
+    const TextureMap relief =
+        found.first({aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT});
+    give(TextureRole::normal, relief, textures.normals(relief.texels, 1.0f));
+}
+
+Surface surfaceOf(const aiMaterial& material, MaterialTextures found, FileTextures& textures) {
     Surface surface;
     surface.name = material.GetName().C_Str();
     surface.metallic = 0.0f;
-    aiColor3D colour(1.0f, 1.0f, 1.0f);
-    if (material.Get(AI_MATKEY_BASE_COLOR, colour) == AI_SUCCESS ||
-        material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)
-        surface.baseColor = {colour.r, colour.g, colour.b};
+    const auto colour = [&](const char* key, unsigned type, unsigned index, glm::vec3& value) {
+        aiColor3D c;
+        if (material.Get(key, type, index, c) != AI_SUCCESS) return false;
+        value = glm::max(glm::vec3(c.r, c.g, c.b), 0.0f);
+        return true;
+    };
+    if (!colour(AI_MATKEY_BASE_COLOR, surface.baseColor))
+        (void)colour(AI_MATKEY_COLOR_DIFFUSE, surface.baseColor);
+    (void)colour(AI_MATKEY_COLOR_EMISSIVE, surface.emission);
     (void)material.Get(AI_MATKEY_METALLIC_FACTOR, surface.metallic);
-    (void)material.Get(AI_MATKEY_ROUGHNESS_FACTOR, surface.roughness);
+    float exponent = 0.0f;  // of Blinn's highlight: the roughness whose own is as wide
+    if (material.Get(AI_MATKEY_ROUGHNESS_FACTOR, surface.roughness) != AI_SUCCESS &&
+        material.Get(AI_MATKEY_SHININESS, exponent) == AI_SUCCESS && exponent > 0.0f)
+        surface.roughness = std::pow(2.0f / (exponent + 2.0f), 0.25f);
     (void)material.Get(AI_MATKEY_TRANSMISSION_FACTOR, surface.transmission);
     float ior = 0.0f, opacity = 1.0f;
     if (material.Get(AI_MATKEY_REFRACTI, ior) == AI_SUCCESS && ior > 1.0f) surface.ior = ior;
@@ -130,21 +244,30 @@ Surface surfaceOf(const aiMaterial& material) {
         surface.transmission = 1.0f;
         surface.roughness = 0.0f;
         surface.baseColor = glm::vec3(1.0f);
+        return surface;
     }
+    addTextures(found, surface, textures);
     return surface;
 }
 
 class Converter {
 public:
     Converter(const std::filesystem::path& path, const aiScene& source, const ModelOptions& options)
-        : name_(path.string()), source_(source), options_(options) {}
+        : name_(path.string()), source_(source), options_(options), textures_(path, notes_) {
+        for (unsigned i = 0; i < source.mNumMaterials; ++i) {
+            const aiMaterial& material = *source.mMaterials[i];
+            surfaces_.push_back(surfaceOf(
+                material, MaterialTextures(source, material, textures_, notes_), textures_));
+        }
+    }
 
     Scene convert() {
         struct Pending {
             const aiNode* node;
             glm::dmat4 worldFromParent;
         };
-        std::vector<Pending> pending{{source_.mRootNode, glm::dmat4(1.0)}};
+        std::vector<Pending> pending{
+            {source_.mRootNode, glm::dmat4(glm::dmat3(metresPerUnit(source_)))}};
         std::size_t nodes = 0;
         while (!pending.empty()) {
             const Pending next = pending.back();
@@ -157,6 +280,7 @@ public:
             for (unsigned i = next.node->mNumChildren; i-- > 0;)
                 pending.push_back({next.node->mChildren[i], world});
         }
+        textures_.decode();
         if (source_.HasAnimations()) notes_.add("animations are not rendered");
         if (scene_.parts.empty())
             throw Error(fmt::format("{}: nothing to render: no triangles", name_));
@@ -177,6 +301,11 @@ private:
         for (unsigned i = 0; i < source.mNumVertices; ++i) {
             const aiVector3D& p = source.mVertices[i];
             mesh.positions.emplace_back(world * glm::dvec4(p.x, p.y, p.z, 1.0));
+            for (unsigned set = 0; set < mesh.uvs.size(); ++set)
+                if (source.HasTextureCoords(set)) {
+                    const aiVector3D& uv = source.mTextureCoords[set][i];
+                    mesh.uvs[set].emplace_back(uv.x, 1.0f - uv.y);
+                }
             if (!source.HasNormals()) continue;
             const aiVector3D& n = source.mNormals[i];
             const glm::dvec3 turned =
@@ -194,7 +323,7 @@ private:
         if (mesh.triangles.empty()) return;
         Part part{name, "", parseMaterial(options_.material), std::move(mesh)};
         if (source.mMaterialIndex < source_.mNumMaterials) {
-            const Surface surface = surfaceOf(*source_.mMaterials[source.mMaterialIndex]);
+            const Surface& surface = surfaces_[source.mMaterialIndex];
             if (!surface.name.empty() && surface.name != AI_DEFAULT_MATERIAL_NAME) {
                 part.materialName = surface.name;
                 part.material = materialOf(surface);
@@ -207,6 +336,8 @@ private:
     const aiScene& source_;
     const ModelOptions& options_;
     Notes notes_;
+    FileTextures textures_;
+    std::vector<Surface> surfaces_;  // by material
     Scene scene_;
 };
 

@@ -2,21 +2,18 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
-#include "tukor/base/parallel.h"
+#include "tukor/scene/picture_decoding.h"
 #include "tukor/scene/sibling_file.h"
 
 namespace tukor {
 
 namespace {
-
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 29;  // of all images: 2 GB
 
 Wrap wrapOf(const JsonItem& sampler, const char* member) {
     switch (const std::size_t code = sampler.countOr(member, 10497)) {
@@ -101,10 +98,9 @@ void GltfTextures::decode() {
     wanted_.clear();
     givenImages.clear();
 #else
-    std::vector<Picture> pictures(wanted_.size());
-    std::uint64_t total = 0;
+    std::vector<PendingPicture> pictures(wanted_.size());
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
-        Picture& picture = pictures[i];
+        PendingPicture& picture = pictures[i];
         const JsonItem image = document_.item("images", wanted_[i].first, wanted_[i].second);
         picture.texels = known_[wanted_[i].first];
         try {
@@ -112,36 +108,19 @@ void GltfTextures::decode() {
             if (const std::optional<JsonItem> uri = image.find("uri")) {
                 if (picture.name.empty() && !uri->text().starts_with("data:"))
                     picture.name = printable(uri->text());
-                picture.loaded = document_.contents(*uri);
-                picture.bytes = picture.loaded.bytes();
+                const auto loaded = std::make_shared<GltfBytes>(document_.contents(*uri));
+                picture.bytes = loaded->bytes();
+                picture.owner = loaded;
             } else {
                 picture.bytes = document_.view(image.at("bufferView").count(), image).bytes;
             }
             if (picture.name.empty()) picture.name = fmt::format("image {}", wanted_[i].first);
-            const TexelsSize size = sizeOfTexels(picture.bytes, picture.name);
-            total += std::uint64_t{size.width} * size.height;
         } catch (const Error& error) {
             picture.trouble = error.what();
         }
     }
     wanted_.clear();
-    if (total > kMostTexels)
-        throw Error(fmt::format("{}: its textures have {} texels together; at most {} are read",
-                                document_.name(), total, kMostTexels));
-    parallelFor(0, static_cast<int>(pictures.size()), 1, [&](int begin, int end) {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            Picture& picture = pictures[i];
-            if (!picture.trouble.empty()) continue;
-            try {
-                *picture.texels = decodeTexels(picture.bytes, picture.name);
-            } catch (const Error& error) {
-                picture.trouble = error.what();
-            }
-        }
-    });
-    for (const Picture& picture : pictures)
-        if (!picture.trouble.empty())
-            notes_.add("textures that cannot be read, left out", picture.trouble);
+    decodePictures(pictures, document_.name(), notes_);
 #endif
 }
 

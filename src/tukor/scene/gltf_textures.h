@@ -30,14 +30,6 @@ public:
     void decode();
 
 private:
-    struct Picture {
-        GltfBytes loaded;
-        std::span<const std::byte> bytes;
-        std::string name;
-        std::string trouble;
-        std::shared_ptr<Texels> texels;
-    };
-
     const GltfDocument& document_;
     Notes& notes_;
     std::map<std::size_t, std::shared_ptr<Texels>> known_;  // by image

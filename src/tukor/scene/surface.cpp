@@ -31,6 +31,11 @@ Material nearestIdeal(const Surface& surface) {
 
 }  // namespace
 
+bool hasTextures(const Surface& surface) noexcept {
+    return std::any_of(surface.maps.begin(), surface.maps.end(),
+                       [](const TextureMap& map) { return map.texels != nullptr; });
+}
+
 bool isIdeal(const Surface& surface) noexcept {
     // Below, the highlight is narrower than most texels of an environment.
     constexpr float kPolished = 0.05f;
@@ -38,9 +43,7 @@ bool isIdeal(const Surface& surface) noexcept {
                        surface.emission == glm::vec3(0.0f) && !surface.unlit &&
                        surface.clearcoat == 0.0f && surface.sheenColor == glm::vec3(0.0f) &&
                        surface.iridescence == 0.0f && surface.specular == 1.0f &&
-                       surface.specularColor == glm::vec3(1.0f) &&
-                       std::none_of(surface.maps.begin(), surface.maps.end(),
-                                    [](const TextureMap& map) { return map.texels != nullptr; });
+                       surface.specularColor == glm::vec3(1.0f) && !hasTextures(surface);
     const bool metal = surface.metallic == 1.0f;
     const bool glass = surface.metallic == 0.0f && surface.transmission == 1.0f && surface.solid &&
                        surface.baseColor == glm::vec3(1.0f);

@@ -22,6 +22,8 @@ struct Surface : Finish {
 /// polished metal, or clear glass with an inside.
 [[nodiscard]] bool isIdeal(const Surface& surface) noexcept;
 
+[[nodiscard]] bool hasTextures(const Surface& surface) noexcept;
+
 /// An ideal surface: a metal whose reflectance at normal incidence is the base colour, or a
 /// dielectric with that absorption. Else the nearest of these, with the finish.
 [[nodiscard]] Material materialOf(const Surface& surface);
