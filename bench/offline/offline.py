@@ -7,6 +7,7 @@ after: cmake --preset release -DTUKOR_BENCH=ON && cmake --build --preset release
 needs: tools/install_packages.sh bench
 """
 import argparse
+import os
 import sys
 
 import scenes
@@ -27,8 +28,7 @@ def measure(scene, map_name, args):
     curves = {}
     for (name, (cpu, _)), error in zip(peers + ours, errors):
         curves.setdefault(name, []).append((cpu, *error))
-    promised = [(e, float(scenes.header_text(picture, "expected-rmse") or "nan"), max(error[2] ** 2 - noise[2] ** 2, 0.0) ** 0.5)
-                for e, (_, (_, picture)), error in zip(args.errors.split(","), ours, errors[len(peers):])]
+    promised = [(said(picture), without(error, noise)) for (_, (_, picture)), error in zip(ours[:len(args.errors.split(","))], errors[len(peers):])]
     cycles = [sum(column) / 2 for column in zip(*curves["Cycles"][:2])]  # two seeds at 256 samples
     curves["Cycles"][:2] = [tuple(cycles)]
     whole = sum(scenes.cycles_whole(picture) for _, (_, picture) in peers[:2]) / 2
@@ -45,13 +45,34 @@ def row(scene, map_name, curves, noise, common, promised, cycles, whole):
         return "-" if time is None else f"{figure(time, 2)} ({figure(cycles[0] / (time - start), 2)}x, {figure(whole / time, 2)}x)"
 
     cells += [compared(curves, cycles[column], column) for column in (1, 2, 3)]
-    # What two renders of Cycles have in common is not its noise; what tukor reports is its noise.
-    own = {"tukor": [(point[0], 0, 0, said) for point, (_, said, _) in zip(curves["tukor"], promised)], "tukor --samples": [(1e9, 0, 0, 1e9)]}
+    # What two renders of Cycles have in common is not its noise; what tukor reports is its noise, and under suns its doubt.
+    own = {"tukor": [(point[0], 0, 0, one) for point, (one, _) in zip(curves["tukor"], promised)], "tukor --samples": [(1e9, 0, 0, 1e9)]}
     alone = max(cycles[3] ** 2 - max(common[2], 0.0) ** 2, 1e-6) ** 0.5
     cells.append(f"{figure(alone)}: {compared(own, alone, 3)}")
     pov = cpu_at(curves.get("POV-Ray", [(1.0, 1e9, 1e9, 1e9)]), cycles[3], 3)
     cells += [figure(pov), figure(noise[2]), figure(common[2])]
     return "| " + " | ".join(cells) + " |"
+
+
+def promise(scene, map_name, args):
+    """A row of the table of what --error promises, on all cores."""
+    references = scenes.reference(scene, map_name, args.reference)
+    pictures = [scenes.tukor(scene, map_name, ["--error", e], threads=os.cpu_count())[1] for e in args.errors.split(",")]
+    noise, *errors = scenes.errors(references, pictures)
+    return promise_row(scene, map_name, [(said(picture), without(error, noise)) for picture, error in zip(pictures, errors)])
+
+
+def said(picture):
+    return float(scenes.header_text(picture, "expected-rmse") or "nan")
+
+
+def without(error, noise):
+    """RMSE in 8-bit sRGB from the truth that the reference is near."""
+    return max(error[2] ** 2 - noise[2] ** 2, 0.0) ** 0.5
+
+
+def promise_row(scene, map_name, promised):
+    return f"| {scene} | {map_name} | " + " | ".join(f"{said:.2f} / {true:.2f}" for said, true in promised) + " |"
 
 
 def throughput(scene):
@@ -75,12 +96,18 @@ def main():
     parser.add_argument("--peers-again", action="store_true", help="render the peers' pictures again, not only tukor's")
     parser.add_argument("--povray", action="store_true", help="measure POV-Ray, too; it takes long")
     parser.add_argument("--throughput", action="store_true", help="print the table of throughput and nothing else")
+    parser.add_argument("--promises", action="store_true", help="print the table of what --error promises and nothing else")
     parser.add_argument("--no-write", action="store_true", help="print only")
     args = parser.parse_args()
     scenes.prepare()
     if args.throughput:
         for scene in args.scenes.split(","):
             print(throughput(scene), flush=True)
+        return
+    if args.promises:
+        for scene in args.scenes.split(","):
+            for map_name in args.maps.split(","):
+                print(promise(scene, map_name, args), flush=True)
         return
     panels, rows, promises, limits = {}, [], [], []
     for scene in args.scenes.split(","):
@@ -90,7 +117,7 @@ def main():
             curves, noise, common, promised, cycles, whole = measure(scene, map_name, args)
             rows.append(row(scene, map_name, curves, noise, common, promised, cycles, whole))
             print(rows[-1], flush=True)
-            promises.append(f"| {scene} | {map_name} | " + " | ".join(f"{said:.2f} / {true:.2f}" for _, said, true in promised) + " |")
+            promises.append(promise_row(scene, map_name, promised))
             print(promises[-1], flush=True)
             for name, points in curves.items():
                 for point in points:
@@ -124,7 +151,8 @@ what comes before rendering (*start*: one sample of 16x9 pixels) and of the whol
 ![error over CPU time](offline.svg)
 
 ## What `--error` promises
-Reported / true RMSE in 8-bit sRGB; true is the distance from the reference, the square of its noise taken off that of the distance.
+Reported / true RMSE in 8-bit sRGB; true is the distance from the reference, the square of its noise taken off that of the distance. What is reported is noise and, under suns, doubt:
+lamps that wide look-ups saw, rightly or not ([notes/adaptive-sampling.md](notes/adaptive-sampling.md)). Where doubt leaves too little room the picture ends above what was asked, and says so.
 
 | scene | environment | {asked} |
 |---|---|{bars}

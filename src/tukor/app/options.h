@@ -200,10 +200,11 @@ void describe(Options& o, Visitor&& field) {
           "camera rays per pixel; the renderer's own choice, which for trace is: where they are "
           "worth "
           "most, until --error 1");
-    field("error", o.error, Measure<float>{"E", {0.01f, 100.0f}},
-          "go on until the expected RMSE of the picture, in 8-bit sRGB, is below E; --samples is "
-          "then "
-          "the most that a pixel gets (trace)");
+    field(
+        "error", o.error, Measure<float>{"E", {0.01f, 100.0f}},
+        "go on until the expected RMSE of the picture, in 8-bit sRGB, is below E; --samples is "
+        "then the most that a pixel gets; where suns glint in glass it may end above, and says so "
+        "(trace)");
     field("time", o.seconds, Measure<float>{"S", {0.0f, 1e6f}},
           "stop after S seconds with the picture so far (trace)");
     field(

@@ -99,9 +99,18 @@ void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t cou
         brightHalves[pixel] = dot(bright, bright) * share;
     }
     sums[pixel].radiance += sum.radiance;
+    sums[pixel].doubtful += sum.doubtful;
     sums[pixel].coverage += sum.coverage;
     sums[pixel].rays += sum.rays;
     samples[pixel] += count;
+}
+
+float Accumulation::doubt(std::size_t pixel) const noexcept {
+    if (sums[pixel].doubtful == glm::vec3(0.0f)) return 0.0f;
+    const glm::vec3 all = mean(pixel);
+    const glm::vec3 rest = all - sums[pixel].doubtful / static_cast<float>(samples[pixel]);
+    const glm::vec3 step = srgbCode(all) - srgbCode(rest);
+    return dot(step, step) / 9.0f;  // a third of the square, of the mean of three channels
 }
 
 void ErrorEstimate::update(const Accumulation& picture) {
@@ -121,12 +130,14 @@ void ErrorEstimate::update(const Accumulation& picture) {
     rawBright_.resize(count, 0.0f);
     rays_.resize(count);
     sum_ = 0.0;
+    doubt_ = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         if (picture.active[i] && picture.halves[i] >= 0.0f) {
             raw_[i] = picture.halves[i] * scale;
             rawBright_[i] = picture.brightHalves[i] * scale;
         }
         sum_ += raw_[i];
+        doubt_ += picture.doubt(i);
         rays_[i] = picture.raysEach(i);
     }
     known_ = true;
@@ -139,7 +150,17 @@ void ErrorEstimate::update(const Accumulation& picture) {
 
 std::optional<double> ErrorEstimate::rmse() const noexcept {
     if (!known_ || variance_.empty()) return std::nullopt;
+    return std::sqrt((sum_ + doubt_) / static_cast<double>(variance_.size()));
+}
+
+std::optional<double> ErrorEstimate::noise() const noexcept {
+    if (!known_ || variance_.empty()) return std::nullopt;
     return std::sqrt(sum_ / static_cast<double>(variance_.size()));
+}
+
+double ErrorEstimate::noiseWithin(double rmse) const noexcept {
+    const double doubt = doubt_ / static_cast<double>(std::max<std::size_t>(variance_.size(), 1));
+    return std::sqrt(std::max(rmse * rmse - doubt, 0.5 * rmse * rmse));
 }
 
 bool ErrorEstimate::chooseActive(Accumulation& picture, double target,

@@ -27,6 +27,10 @@ struct Accumulation {
                                   : glm::vec3(0.0f);
     }
 
+    /// The expected square of how far off the pixel is because of what its wide look-ups saw: what
+    /// is really there lies anywhere between none and all of it.
+    [[nodiscard]] float doubt(std::size_t pixel) const noexcept;
+
     /// Adds `sum`, of `count` new samples, to a pixel.
     void add(std::size_t pixel, const PixelSum& sum, std::uint32_t count) noexcept;
 
@@ -55,8 +59,13 @@ public:
 
     /// Expected RMSE of the whole picture.
     [[nodiscard]] std::optional<double> rmse() const noexcept;
+    /// The part of it that more samples take off.
+    [[nodiscard]] std::optional<double> noise() const noexcept;
+    /// How much of that an RMSE leaves room for; at least half of its square: where doubt alone is
+    /// more, less noise would hardly be seen.
+    [[nodiscard]] double noiseWithin(double rmse) const noexcept;
 
-    /// Marks the pixels to double so that the RMSE falls to `target` with the fewest rays, and
+    /// Marks the pixels to double so that the noise falls to `target` with the fewest rays, and
     /// those brighter than white that are as far off in unclippedCode; false when there is none
     /// that may have more.
     bool chooseActive(Accumulation& picture, double target, std::uint32_t maxSamples) const;
@@ -79,8 +88,9 @@ private:
     std::vector<float> variance_;            // the same, averaged over its neighbourhood
     std::vector<float> rawBright_, bright_;  // the same of unclippedCode
     std::vector<float> rays_;                // that a sample takes, averaged likewise
-    double sum_ = 0.0;
-    double decay_ = 1.5;  // p
+    double sum_ = 0.0;                       // of raw_
+    double doubt_ = 0.0;                     // of all pixels
+    double decay_ = 1.5;                     // p
     bool known_ = false;
 };
 

@@ -199,6 +199,24 @@ TEST(ErrorEstimate, CheapPixelsGoOnBeforeDearOnes) {
     EXPECT_LT(std::count(middle, picture.active.end(), 1), 64);
 }
 
+TEST(ErrorEstimate, DoubtsLampsThatWideLookUpsSaw) {
+    Accumulation picture(8, 8);
+    PixelSum clean, doubtful;
+    clean.radiance = doubtful.radiance = glm::vec3(0.5f);
+    doubtful.doubtful = glm::vec3(0.3f);
+    for (int sample = 0; sample < 2; ++sample)
+        for (std::size_t i = 0; i < 64; ++i) picture.add(i, i % 4 == 0 ? doubtful : clean, 1);
+    ErrorEstimate estimate;
+    estimate.update(picture);
+    const double step =
+        static_cast<double>(srgbCode(glm::vec3(0.5f)).x - srgbCode(glm::vec3(0.2f)).x);
+    const double doubt = step * step / 3.0 / 4.0;
+    EXPECT_NEAR(*estimate.rmse(), std::sqrt(doubt), 1e-4);
+    EXPECT_NEAR(*estimate.noise(), 0.0, 1e-6);
+    EXPECT_NEAR(estimate.noiseWithin(2.0 * std::sqrt(doubt)), std::sqrt(3.0 * doubt), 1e-4);
+    EXPECT_NEAR(estimate.noiseWithin(std::sqrt(doubt)), std::sqrt(0.5 * doubt), 1e-4);
+}
+
 Image traced(const SurfaceTable& surfaces) {
     const RayCaster caster(surfaces);
     const EnvironmentMap map(gradientCube(), 0.0f, 1.0f);

@@ -157,22 +157,22 @@ void Passes::run() {
     std::uint32_t each = 0;  // samples that every pixel has at least
     while (!stop_) {
         fractionBefore_ = fractionAfter_ < 1.0 ? fractionAfter_ : 0.0;
-        const std::optional<double> error = estimate_.rmse();
+        const std::optional<double> noise = estimate_.noise();
+        // Against the clock: a little better each time.
+        const double target =
+            goals_.error ? estimate_.noiseWithin(*goals_.error) : noise.value_or(0.0) / 1.5;
         if (each < std::min(2u, goals_.samples) || (!goals_.error && !goals_.timeSeconds)) {
             if (each >= goals_.samples) break;
             each = samplesAfter(each);
         } else {
-            // Against the clock: a little better each time.
-            const double target = goals_.error ? *goals_.error : *error / 1.5;
-            const bool more = goals_.error && error && *error <= target
+            const bool more = goals_.error && noise && *noise <= target
                                   ? estimate_.chooseBright(picture_, target, goals_.samples)
                                   : estimate_.chooseActive(picture_, target, goals_.samples);
             if (!more) break;
         }
         if (goals_.error) {
-            // Work grows about as error^-1.5.
-            fractionAfter_ =
-                error ? std::pow(*goals_.error / std::max(*error / 1.6, 1e-6), 1.5) : 0.01;
+            // Work grows about as noise^-1.5.
+            fractionAfter_ = noise ? std::pow(target / std::max(*noise / 1.6, 1e-6), 1.5) : 0.01;
         } else {
             fractionAfter_ = static_cast<double>(picture_.samples.size()) * each / all;
         }

@@ -25,6 +25,11 @@ constexpr std::size_t kPaths = 64;
 // New ones begin when so few are left: those that began together cast rays that are alike.
 constexpr std::size_t kFewPaths = 16;
 
+// Radians: a wider footprint, extrapolated from one path, may reach what its neighbours do not see.
+constexpr float kTrusted = 0.06f;
+// What is so many times as bright as white, on the mean over a wide footprint, comes of a lamp.
+constexpr float kLamp = 16.0f;
+
 constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
 
 // Of so many samples one may be faulty, and one more, for it to come of rounding.
@@ -105,8 +110,10 @@ void PathPool::castCameraRays() {
     if (lookUps_.room() < most) settle();
     const int lookUps = frame_.environment.add(lookUps_, deposit.direction, deposit.directionX,
                                                deposit.directionY, most);
+    const float width2 = std::max(dot(deposit.directionX, deposit.directionX),
+                                  dot(deposit.directionY, deposit.directionY));
     owed_.push_back({deposit.throughput * (sample.weight / static_cast<float>(lookUps)),
-                     sample.target, lookUps});
+                     sample.target, lookUps, width2 > kTrusted * kTrusted});
 }
 
 void PathPool::collect(const Path& path, const transport::Deposits& deposits) noexcept {
@@ -118,8 +125,13 @@ void PathPool::settle() noexcept {
     frame_.environment.look(lookUps_);
     int first = 0;
     for (const Owed& one : owed_) {
-        sums_[static_cast<std::size_t>(one.target)].radiance +=
-            one.weight * lookUps_.sum(first, one.lookUps);
+        PixelSum& sum = sums_[static_cast<std::size_t>(one.target)];
+        const glm::vec3 found = lookUps_.sum(first, one.lookUps);
+        sum.radiance += one.weight * found;
+        if (one.wide) {
+            const float usual = kLamp * static_cast<float>(one.lookUps);
+            sum.doubtful += one.weight * max(found - usual, 0.0f);
+        }
         first += one.lookUps;
     }
     lookUps_.count = 0;

@@ -22,8 +22,9 @@ struct CameraSample {
 
 struct PixelSum {
     glm::vec3 radiance{0.0f};
-    float coverage = 0.0f;  // samples that met a surface
-    float rays = 0.0f;      // that they took
+    float coverage = 0.0f;     // samples that met a surface
+    float rays = 0.0f;         // that they took
+    glm::vec3 doubtful{0.0f};  // of radiance: lamps that wide look-ups saw, rightly or not
 };
 
 struct TraceCounts {
@@ -70,6 +71,7 @@ private:
         glm::vec3 weight;
         int target;
         int lookUps;
+        bool wide = false;
     };
 
     void traceAll();
