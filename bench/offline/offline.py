@@ -28,14 +28,16 @@ def measure(scene, map_name, args):
     curves = {}
     for (name, (cpu, _)), error in zip(peers + ours, errors):
         curves.setdefault(name, []).append((cpu, *error))
-    promised = [(said(picture), without(error, noise)) for (_, (_, picture)), error in zip(ours[:len(args.errors.split(","))], errors[len(peers):])]
+    by_error = [(cpu, picture) for _, (cpu, picture) in ours[:len(args.errors.split(","))]]
+    promised = [(said(picture), without(error, noise)) for (_, picture), error in zip(by_error, errors[len(peers):])]
+    own = [(cpu, 0, 0, said(picture, "noise")) for cpu, picture in by_error]
     cycles = [sum(column) / 2 for column in zip(*curves["Cycles"][:2])]  # two seeds at 256 samples
     curves["Cycles"][:2] = [tuple(cycles)]
     whole = sum(scenes.cycles_whole(picture) for _, (_, picture) in peers[:2]) / 2
-    return curves, noise, common, promised, cycles, whole
+    return curves, noise, common, promised, own, cycles, whole
 
 
-def row(scene, map_name, curves, noise, common, promised, cycles, whole):
+def row(scene, map_name, curves, noise, common, own, cycles, whole):
     start = scenes.start(scene, map_name)
     cells = [scene, map_name, f"{figure(cycles[0])}, {figure(whole)}", figure(cycles[1]), figure(cycles[2]), figure(cycles[3]), figure(start, 2)]
 
@@ -45,8 +47,8 @@ def row(scene, map_name, curves, noise, common, promised, cycles, whole):
         return "-" if time is None else f"{figure(time, 2)} ({figure(cycles[0] / (time - start), 2)}x, {figure(whole / time, 2)}x)"
 
     cells += [compared(curves, cycles[column], column) for column in (1, 2, 3)]
-    # What two renders of Cycles have in common is not its noise; what tukor reports is its noise, and under suns its doubt.
-    own = {"tukor": [(point[0], 0, 0, one) for point, (one, _) in zip(curves["tukor"], promised)], "tukor --samples": [(1e9, 0, 0, 1e9)]}
+    # What two renders of Cycles have in common is not its noise.
+    own = {"tukor": own, "tukor --samples": [(1e9, 0, 0, 1e9)]}
     alone = max(cycles[3] ** 2 - max(common[2], 0.0) ** 2, 1e-6) ** 0.5
     cells.append(f"{figure(alone)}: {compared(own, alone, 3)}")
     pov = cpu_at(curves.get("POV-Ray", [(1.0, 1e9, 1e9, 1e9)]), cycles[3], 3)
@@ -62,8 +64,8 @@ def promise(scene, map_name, args):
     return promise_row(scene, map_name, [(said(picture), without(error, noise)) for picture, error in zip(pictures, errors)])
 
 
-def said(picture):
-    return float(scenes.header_text(picture, "expected-rmse") or "nan")
+def said(picture, what="rmse"):
+    return float(scenes.header_text(picture, f"expected-{what}") or "nan")
 
 
 def without(error, noise):
@@ -114,8 +116,8 @@ def main():
         limits.append(throughput(scene))
         print(limits[-1], flush=True)
         for map_name in args.maps.split(","):
-            curves, noise, common, promised, cycles, whole = measure(scene, map_name, args)
-            rows.append(row(scene, map_name, curves, noise, common, promised, cycles, whole))
+            curves, noise, common, promised, own, cycles, whole = measure(scene, map_name, args)
+            rows.append(row(scene, map_name, curves, noise, common, own, cycles, whole))
             print(rows[-1], flush=True)
             promises.append(promise_row(scene, map_name, promised))
             print(promises[-1], flush=True)
@@ -140,7 +142,7 @@ and POV-Ray, of the render and of the whole process for Cycles (Debian's Blender
 RMSE is that of radiance; relative MSE the mean of (a - b)^2 / (b^2 + 0.01); sRGB the RMSE in codes of 8-bit sRGB. The reference is the mean of two
 pictures of trace at {reference} samples a pixel or more, with seeds of their own; its noise is half their distance. *Common* is the root of the mean product of the errors of two renders
 of Cycles with different seeds: what Cycles' limit and the reference do not share, with the reference's noise in it. Where it is near Cycles' error, most of
-that is no noise, and comparing at equal error flatters tukor; so the last column but three compares the noise alone: that of Cycles, and what `--error` reports.
+that is no noise, and comparing at equal error flatters tukor; so the last column but three compares the noise alone: that of Cycles, and that which trace reports.
 tukor's times are of `--error`, or of `--samples` where that curve does not reach the error: CPU seconds, and in brackets how many times those of Cycles are, without
 what comes before rendering (*start*: one sample of 16x9 pixels) and of the whole processes.
 

@@ -98,6 +98,9 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
     if (rendering.error) {
         save.metadata.push_back({"expected-rmse", fmt::format("{:.4f}", *rendering.error)});
     }
+    if (rendering.noise) {
+        save.metadata.push_back({"expected-noise", fmt::format("{:.4f}", *rendering.noise)});
+    }
     if (rendering.layers.empty()) {
         saveImage(out, rendering.radiance, save);
         return;
@@ -130,6 +133,8 @@ std::string summaryOf(const Rendering& rendering, double seconds) {
                             rays / 1e6 / std::max(seconds, 1e-3));
     }
     if (rendering.error) text += fmt::format(", expected RMSE {:.2f}", *rendering.error);
+    if (rendering.noise && *rendering.noise < 0.9 * rendering.error.value_or(0.0))
+        text += fmt::format(" (noise {:.2f}, the rest suns that glint in glass)", *rendering.noise);
     return text;
 }
 

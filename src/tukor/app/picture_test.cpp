@@ -25,5 +25,16 @@ TEST(WarningsOf, DoesNotBlameAModelForOneRayInTenMillion) {
     EXPECT_FALSE(warningsOf(rendering).empty());
 }
 
+TEST(SummaryOf, SaysWhatMoreSamplesDoNotTakeOff) {
+    Rendering rendering;
+    rendering.error = 0.81;
+    rendering.noise = 0.80;
+    EXPECT_THAT(summaryOf(rendering, 2.0), testing::EndsWith("expected RMSE 0.81"));
+    rendering.noise = 0.35;
+    EXPECT_THAT(
+        summaryOf(rendering, 2.0),
+        testing::EndsWith("expected RMSE 0.81 (noise 0.35, the rest suns that glint in glass)"));
+}
+
 }  // namespace
 }  // namespace tukor

@@ -90,6 +90,7 @@ struct Rendering {
         0;  // branches that ended in a look-up because of budget, depth or cutoff
     double samplesPerPixel = 0.0;    // mean over the picture
     std::optional<double> error;     // expected RMSE in 8-bit sRGB, where the renderer knows it
+    std::optional<double> noise;     // the part of it that more samples take off
     std::vector<ImageLayer> layers;  // those asked for by RenderOptions::layers, same order
 };
 

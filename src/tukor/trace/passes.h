@@ -26,7 +26,7 @@ public:
     void run();
 
     [[nodiscard]] const Accumulation& picture() const noexcept { return picture_; }
-    [[nodiscard]] std::optional<double> error() const noexcept { return estimate_.rmse(); }
+    [[nodiscard]] const ErrorEstimate& estimate() const noexcept { return estimate_; }
     [[nodiscard]] TraceCounts counts() const;
 
 private:

@@ -107,7 +107,8 @@ Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop,
     rendering.inconsistencies = counts.inconsistencies;
     rendering.truncated = counts.truncated;
     rendering.samplesPerPixel = samples / static_cast<double>(picture.samples.size());
-    rendering.error = passes.error();
+    rendering.error = passes.estimate().rmse();
+    rendering.noise = passes.estimate().noise();
     rendering.layers = traceLayers(frame, options.layers);
     return rendering;
 }
