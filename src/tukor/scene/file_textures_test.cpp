@@ -93,6 +93,18 @@ TEST_F(FileTexturesTest, WhatCannotBeReadIsSaidAndLeftOut) {
     EXPECT_FALSE(scene.parts.at(0).material.finish->has(TextureRole::baseColor));
 }
 
+TEST_F(FileTexturesTest, TooLargeAPictureIsLeftOutAlone) {
+    std::vector<std::byte> huge = png(1, 1, {1, 2, 3});
+    huge[16] = huge[20] = std::byte{0x40};  // width and height: a thousand million and one
+    writeFile(folder_.path("huge.png"), huge);
+    writeFile(folder_.path("p.png"), png(1, 1, {1, 2, 3}));
+    const Scene scene = triangleOf("newmtl m\nmap_Kd p.png\nmap_Ke huge.png\n");
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_THAT(scene.warnings[0], HasSubstr("huge.png: 1073741825 x 1073741825"));
+    EXPECT_TRUE(scene.parts.at(0).material.finish->has(TextureRole::baseColor));
+    EXPECT_FALSE(scene.parts[0].material.finish->has(TextureRole::emission));
+}
+
 TEST_F(FileTexturesTest, GlassStaysClear) {
     writeFile(folder_.path("p.png"), png(1, 1, {1, 2, 3}));
     EXPECT_EQ(triangleOf("newmtl m\nd 0.1\nmap_Kd p.png\n").parts.at(0).material.finish, nullptr);

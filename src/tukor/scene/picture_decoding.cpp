@@ -6,6 +6,7 @@
 
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
+#include "tukor/image/image_size.h"
 
 namespace tukor {
 
@@ -21,6 +22,7 @@ void decodePictures(std::span<PendingPicture> pictures, std::string_view model, 
         if (!picture.trouble.empty()) continue;
         try {
             const TexelsSize size = sizeOfTexels(picture.bytes, picture.name);
+            checkImageSize(picture.name, size.width, size.height);
             total += std::uint64_t{size.width} * size.height;
         } catch (const Error& error) {
             picture.trouble = error.what();
