@@ -185,6 +185,10 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
     }
     // Those that need at least half as many again; if there are none, so many as it takes.
     if (activate(picture, bright_, threshold + margin(), maxSamples)) return true;
+    // Where some may not have what they need, the others still do their own share alone.
+    for (std::size_t i = 0; i < count; ++i)
+        if (picture.samples[i] >= maxSamples && binOf(picture, variance_, i) >= threshold)
+            return activate(picture, bright_, threshold, maxSamples);
     const double gained = 1.0 - std::exp2(-decay_);  // by doubling, of a variance
     double left = sum_;
     int least = kBins - 1;

@@ -199,6 +199,26 @@ TEST(ErrorEstimate, CheapPixelsGoOnBeforeDearOnes) {
     EXPECT_LT(std::count(middle, picture.active.end(), 1), 64);
 }
 
+TEST(ErrorEstimate, PixelsDoNotGoOnForThoseThatMayNot) {
+    Accumulation picture(64, 64);
+    std::mt19937 random(3);
+    for (int sample = 0; sample < 2; ++sample)
+        for (int i = 0; i < 64 * 64; ++i) {
+            const float noise = i < 64 * 32 ? 0.1f : 1e-4f;
+            const std::uint32_t count = i < 64 * 34 ? 16 : 1;  // also of noisy pixels' neighbours
+            const float radiance =
+                0.2f + std::uniform_real_distribution<float>(0.0f, noise)(random);
+            picture.add(static_cast<std::size_t>(i),
+                        {static_cast<float>(count) * glm::vec3(radiance), 1.0f, 1.0f}, count);
+        }
+    ErrorEstimate estimate;
+    estimate.update(picture);
+    EXPECT_FALSE(estimate.chooseActive(picture, 0.5 * estimate.rmse().value(), 32));
+    ASSERT_TRUE(estimate.chooseActive(picture, 0.5 * estimate.rmse().value(), 64));
+    EXPECT_GT(chosenIn(picture), 64 * 32 / 2);
+    EXPECT_EQ(std::count(picture.active.begin() + 64 * 34, picture.active.end(), 1), 0);
+}
+
 TEST(ErrorEstimate, DoubtsLampsThatWideLookUpsSaw) {
     Accumulation picture(8, 8);
     PixelSum clean, doubtful;

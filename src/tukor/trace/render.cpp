@@ -16,6 +16,7 @@ namespace tukor::trace {
 
 namespace {
 
+constexpr std::uint32_t kUsualSamples = 64;
 constexpr std::uint32_t kMostSamples = 1u << 20;  // float sums of more would stop growing
 
 void check(const RenderOptions& options) {
@@ -32,7 +33,7 @@ PassGoals goalsOf(const RenderOptions& options) {
         goals.samples = static_cast<std::uint32_t>(
             std::clamp(*options.samples, 1, static_cast<int>(kMostSamples)));
     } else {
-        goals.samples = options.error || options.timeSeconds ? kMostSamples : 32;
+        goals.samples = options.error || options.timeSeconds ? kMostSamples : kUsualSamples;
     }
     if (options.error) goals.error = *options.error;
     if (options.timeSeconds) goals.timeSeconds = *options.timeSeconds;

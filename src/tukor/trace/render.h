@@ -10,7 +10,7 @@ namespace tukor::trace {
 /// then with the samples so far.
 ///
 /// With neither `samples`, `error` nor `timeSeconds`, samples are added where they are worth most
-/// until the expected RMSE is below 1 in 8-bit sRGB, at most 32 a pixel. Throws Error.
+/// until the expected RMSE is below 1 in 8-bit sRGB, at most 64 a pixel. Throws Error.
 [[nodiscard]] Rendering render(const Scene& scene, const CubeMap& environment, const Camera& camera,
                                const RenderOptions& options = {},
                                const RenderProgress& progress = {});
