@@ -127,15 +127,13 @@ double metresPerUnit(const aiScene& scene) {
     return centimetres > 0.0 && std::isfinite(centimetres) ? 0.01 * centimetres : 1.0;
 }
 
-// v runs up there.
 TextureMap mapOf(const aiMaterial& material, aiTextureType type, unsigned uvSet) {
     TextureMap map;
     map.uvSet = static_cast<int>(uvSet);
     aiUVTransform t;
     if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), t) == AI_SUCCESS)
         map.imageFromUv =
-            glm::mat3x2(glm::vec2(t.mScaling.x, 0.0f), glm::vec2(0.0f, t.mScaling.y),
-                        glm::vec2(t.mTranslation.x, 1.0f - t.mScaling.y - t.mTranslation.y));
+            imageFromUpwardUv({t.mScaling.x, t.mScaling.y}, {t.mTranslation.x, t.mTranslation.y});
     const auto wrap = [](int mode) {
         return mode == aiTextureMapMode_Clamp    ? Wrap::clamp
                : mode == aiTextureMapMode_Mirror ? Wrap::mirror
@@ -233,10 +231,10 @@ Surface surfaceOf(const aiMaterial& material, MaterialTextures found, FileTextur
         (void)colour(AI_MATKEY_COLOR_DIFFUSE, surface.baseColor);
     (void)colour(AI_MATKEY_COLOR_EMISSIVE, surface.emission);
     (void)material.Get(AI_MATKEY_METALLIC_FACTOR, surface.metallic);
-    float exponent = 0.0f;  // of Blinn's highlight: the roughness whose own is as wide
+    float exponent = 0.0f;
     if (material.Get(AI_MATKEY_ROUGHNESS_FACTOR, surface.roughness) != AI_SUCCESS &&
         material.Get(AI_MATKEY_SHININESS, exponent) == AI_SUCCESS && exponent > 0.0f)
-        surface.roughness = std::pow(2.0f / (exponent + 2.0f), 0.25f);
+        surface.roughness = roughnessFromExponent(exponent);
     (void)material.Get(AI_MATKEY_TRANSMISSION_FACTOR, surface.transmission);
     float ior = 0.0f, opacity = 1.0f;
     if (material.Get(AI_MATKEY_REFRACTI, ior) == AI_SUCCESS && ior > 1.0f) surface.ior = ior;

@@ -91,13 +91,10 @@ Picture readPicture(TextScanner& scanner) {
     return picture;
 }
 
-// v runs up in OBJ; the readers of meshes have turned it round.
 TextureMap mapOf(const Picture& picture, std::shared_ptr<const Texels> texels) {
     TextureMap map;
     map.texels = std::move(texels);
-    map.imageFromUv =
-        glm::mat3x2(glm::vec2(picture.scale.x, 0.0f), glm::vec2(0.0f, picture.scale.y),
-                    glm::vec2(picture.offset.x, 1.0f - picture.scale.y - picture.offset.y));
+    map.imageFromUv = imageFromUpwardUv(picture.scale, picture.offset);
     if (picture.clamped) map.wrapU = map.wrapV = Wrap::clamp;
     return map;
 }
@@ -147,10 +144,8 @@ Surface surfaceOf(const std::string& name, const Entry& entry, FileTextures& tex
     const bool isMirror = (entry.model == 3 || entry.model == 5) && hasSpecular;
     surface.metallic = entry.metallic.value_or(isMirror ? 1.0f : 0.0f);
     surface.baseColor = isMirror && !entry.metallic ? entry.specular : entry.diffuse;
-    // Blinn's exponent as the roughness whose highlight is as wide. [Karis 2013]
-    const float fromExponent =
-        std::pow(2.0f / (std::max(entry.exponent.value_or(0.0f), 0.0f) + 2.0f), 0.25f);
-    surface.roughness = entry.roughness.value_or(fromExponent);
+    surface.roughness =
+        entry.roughness.value_or(roughnessFromExponent(entry.exponent.value_or(0.0f)));
     // Some exporters write the illumination of glass for everything.
     const bool likeGlass =
         entry.model == 4 || entry.model == 6 || entry.model == 7 || entry.model == 9;

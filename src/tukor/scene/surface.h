@@ -1,5 +1,7 @@
 // What model files say of a surface, in the terms of glTF, and what is made of it here.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <glm/glm.hpp>
@@ -21,6 +23,18 @@ struct Surface : Finish {
 /// Whether it is one of the ideal smooth surfaces of Material, to which no finish adds anything:
 /// polished metal, or clear glass with an inside.
 [[nodiscard]] bool isIdeal(const Surface& surface) noexcept;
+
+/// The roughness of GGX whose highlight is as wide as Blinn's of that exponent. [Karis 2013]
+[[nodiscard]] inline float roughnessFromExponent(float exponent) noexcept {
+    return std::pow(2.0f / (std::max(exponent, 0.0f) + 2.0f), 0.25f);
+}
+
+/// TextureMap::imageFromUv of formats in which v runs up, for coordinates whose v the reader has
+/// turned round: `scale` and `offset` are the format's.
+[[nodiscard]] inline glm::mat3x2 imageFromUpwardUv(glm::vec2 scale, glm::vec2 offset) noexcept {
+    return {glm::vec2(scale.x, 0.0f), glm::vec2(0.0f, scale.y),
+            glm::vec2(offset.x, 1.0f - scale.y - offset.y)};
+}
 
 [[nodiscard]] bool hasTextures(const Surface& surface) noexcept;
 
