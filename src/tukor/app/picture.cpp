@@ -134,7 +134,8 @@ std::string summaryOf(const Rendering& rendering, double seconds) {
     }
     if (rendering.error) text += fmt::format(", expected RMSE {:.2f}", *rendering.error);
     if (rendering.noise && *rendering.noise < 0.9 * rendering.error.value_or(0.0))
-        text += fmt::format(" (noise {:.2f}, the rest suns that glint in glass)", *rendering.noise);
+        text += fmt::format(" (noise {:.2f}, the rest suns and lamps that glint in glass)",
+                            *rendering.noise);
     return text;
 }
 

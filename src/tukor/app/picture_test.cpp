@@ -33,7 +33,8 @@ TEST(SummaryOf, SaysWhatMoreSamplesDoNotTakeOff) {
     rendering.noise = 0.35;
     EXPECT_THAT(
         summaryOf(rendering, 2.0),
-        testing::EndsWith("expected RMSE 0.81 (noise 0.35, the rest suns that glint in glass)"));
+        testing::EndsWith(
+            "expected RMSE 0.81 (noise 0.35, the rest suns and lamps that glint in glass)"));
 }
 
 }  // namespace

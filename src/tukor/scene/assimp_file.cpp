@@ -196,19 +196,17 @@ void addTextures(MaterialTextures& found, Surface& surface, FileTextures& textur
         map.texels = std::move(texels);
         surface.maps[static_cast<std::size_t>(role)] = std::move(map);
     };
-    const auto whole = [](glm::vec3& factor) {  // black beside a texture: it counts alone
-        if (factor == glm::vec3(0.0f)) factor = glm::vec3(1.0f);
-    };
     const TextureMap colour = found.first({aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
-    if (colour.texels) whole(surface.baseColor);
+    if (colour.texels) countTextureAlone(surface.baseColor);
     give(TextureRole::baseColor, colour, colour.texels);
 
     const TextureMap light = found.first({aiTextureType_EMISSION_COLOR, aiTextureType_EMISSIVE});
-    if (light.texels) whole(surface.emission);
+    if (light.texels) countTextureAlone(surface.emission);
     give(TextureRole::emission, light, light.texels);
 
     const TextureMap metallic = found.first({aiTextureType_METALNESS});
     const TextureMap roughness = found.first({aiTextureType_DIFFUSE_ROUGHNESS});
+    if (metallic.texels) countTextureAlone(surface.metallic);
     give(TextureRole::metallicRoughness, metallic.texels ? metallic : roughness,
          textures.metallicRoughness(metallic.texels, roughness.texels));
 

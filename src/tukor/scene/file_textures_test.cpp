@@ -155,6 +155,61 @@ TEST_F(FileTexturesTest, ColladaPutsPicturesOnSurfaces) {
                 ElementsAre(glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(0, 0.25f)));
 }
 
+TEST_F(FileTexturesTest, FbxMetalTexturesCountAloneWithoutAFactor) {
+    writeFile(folder_.path("p.png"), png(1, 1, {100, 100, 100}));
+    const Scene scene = load("a.fbx", R"(; FBX 7.3.0 project file
+FBXHeaderExtension: {
+ FBXVersion: 7300
+}
+Objects: {
+ Geometry: 1, "Geometry::a", "Mesh" {
+  Vertices: *9 {
+   a: 0,0,0,1,0,0,0,1,0
+  }
+  PolygonVertexIndex: *3 {
+   a: 0,1,-3
+  }
+  LayerElementMaterial: 0 {
+   MappingInformationType: "AllSame"
+   ReferenceInformationType: "IndexToDirect"
+   Materials: *1 {
+    a: 0
+   }
+  }
+  Layer: 0 {
+   LayerElement:  {
+    Type: "LayerElementMaterial"
+    TypedIndex: 0
+   }
+  }
+ }
+ Model: 2, "Model::a", "Mesh" {
+  Version: 232
+ }
+ Material: 3, "Material::m", "" {
+  Version: 102
+  ShadingModel: "phong"
+ }
+ Texture: 4, "Texture::p", "" {
+  RelativeFilename: "p.png"
+ }
+}
+Connections: {
+ C: "OO",2,0
+ C: "OO",1,2
+ C: "OO",3,2
+ C: "OP",4,3, "ReflectionFactor"
+}
+)");
+    EXPECT_THAT(scene.warnings, IsEmpty());
+    ASSERT_NE(scene.parts.at(0).material.finish, nullptr);
+    const Finish& finish = *scene.parts[0].material.finish;
+    EXPECT_EQ(finish.metallic, 1.0f);
+    ASSERT_TRUE(finish.has(TextureRole::metallicRoughness));
+    EXPECT_THAT(finish.map(TextureRole::metallicRoughness).texels->bytes,
+                ElementsAre(255, 255, 100));
+}
+
 TEST_F(FileTexturesTest, FbxIsReadInMetres) {
     const auto size = [&](const char* unit) {
         const Scene scene = load(

@@ -107,18 +107,14 @@ void addTextures(const Entry& entry, Surface& surface, FileTextures& textures) {
         if (texels)
             surface.maps[static_cast<std::size_t>(role)] = mapOf(picture, std::move(texels));
     };
-    // Where exporters leave the factor of a texture black, or away, it counts alone.
-    const auto whole = [](glm::vec3& factor) {
-        if (factor == glm::vec3(0.0f)) factor = glm::vec3(1.0f);
-    };
     const FileTextures::Picture colour = read(entry.colour), opacity = read(entry.opacityMap);
-    if (colour) whole(surface.baseColor);
+    if (colour) countTextureAlone(surface.baseColor);
     if (opacity) surface.alphaMode = AlphaMode::blend;
     give(TextureRole::baseColor, colour ? entry.colour : entry.opacityMap,
          textures.withOpacity(colour, opacity));
 
     const FileTextures::Picture light = read(entry.light);
-    if (light) whole(surface.emission);
+    if (light) countTextureAlone(surface.emission);
     give(TextureRole::emission, entry.light, light);
 
     const FileTextures::Picture metallic = read(entry.metallicMap),

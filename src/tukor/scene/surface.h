@@ -36,6 +36,12 @@ struct Surface : Finish {
             glm::vec2(offset.x, 1.0f - scale.y - offset.y)};
 }
 
+/// A factor that exporters leave black, or away, beside its texture: that counts alone.
+template <typename Factor>
+void countTextureAlone(Factor& factor) noexcept {
+    if (factor == Factor(0.0f)) factor = Factor(1.0f);
+}
+
 [[nodiscard]] bool hasTextures(const Surface& surface) noexcept;
 
 /// An ideal surface: a metal whose reflectance at normal incidence is the base colour, or a
