@@ -206,8 +206,7 @@ void scaleToMeans(Image& image, const Image& means, const Progress& progress) {
 }
 
 /// A panorama of means of `across` x `across` look-ups.
-template <int across>
-Image meansOf(const CubeMap& cube, int width, const Progress& progress) {
+Image meansOf(const CubeMap& cube, int width, int across, const Progress& progress) {
     const int height = std::max(1, width / 2);
     // Of columns and rows of look-ups: sine, cosine.
     std::vector<glm::vec2> longitudes, colatitudes;
@@ -237,28 +236,84 @@ Image meansOf(const CubeMap& cube, int width, const Progress& progress) {
     return image;
 }
 
-/// Where no panorama gives what is given, steps overshoot: dark and bright rims around lamps. There
-/// pixels become those of `calm`, and leave the range of `means` around them by at most a quarter:
-/// below, and where these are alike, above. `missed`: by how much what is given is missed.
-void calmDown(Image& panorama, const Image& calm, const Image& means, const Image& missed) {
-    constexpr float kMostMissed = 0.2f;
-    const int width = panorama.width(), height = panorama.height();
+/// The least and the most of 3 x 3 pixels.
+struct Range {
+    glm::vec3 least, most;
+};
+
+Range rangeAround(const Image& image, int column, int row) {
+    const int width = image.width();
+    Range range{image.at(column, row), image.at(column, row)};
+    for (int j = std::max(row - 1, 0); j <= std::min(row + 1, image.height() - 1); ++j)
+        for (int i = column - 1; i <= column + 1; ++i) {
+            const glm::vec3 pixel = image.at((i + width) % width, j);
+            range = {glm::min(range.least, pixel), glm::max(range.most, pixel)};
+        }
+    return range;
+}
+
+/// Whether a pixel lies no more than so many rows from a marked one, and as far beside it.
+std::vector<char> widened(const std::vector<char>& marked, int width, int height, int rows) {
+    std::vector<char> across(marked.size()), all(marked.size());
+    const auto w = static_cast<std::size_t>(width);
+    parallelFor(0, height, 16, [&](int begin, int end) {
+        std::vector<int> before(w + 1);  // marked pixels of the row
+        for (int row = begin; row < end; ++row) {
+            const std::size_t first = static_cast<std::size_t>(row) * w;
+            for (std::size_t i = 0; i < w; ++i) before[i + 1] = before[i] + marked[first + i];
+            const double sine = std::sin(kPi * (row + 0.5) / height);
+            const int reach = static_cast<int>(std::min(rows / sine, 0.5 * width - 1.0));
+            const auto count = [&](int from, int to) {  // of columns
+                return before[static_cast<std::size_t>(std::clamp(to, 0, width))] -
+                       before[static_cast<std::size_t>(std::clamp(from, 0, width))];
+            };
+            for (int i = 0; i < width; ++i) {
+                const int from = i - reach, to = i + reach + 1;
+                across[first + static_cast<std::size_t>(i)] =
+                    count(from, to) + count(from + width, width) + count(0, to - width) > 0;
+            }
+        }
+    });
     parallelFor(0, height, 16, [&](int begin, int end) {
         for (int row = begin; row < end; ++row)
-            for (int column = 0; column < width; ++column) {
-                glm::vec3 least = means.at(column, row), most = least;
-                for (int j = std::max(row - 1, 0); j <= std::min(row + 1, height - 1); ++j)
-                    for (int i = column - 1; i <= column + 1; ++i) {
-                        least = glm::min(least, means.at((i + width) % width, j));
-                        most = glm::max(most, means.at((i + width) % width, j));
-                    }
-                if (!glm::any(glm::greaterThan(missed.at(column, row), kMostMissed * least)))
-                    continue;
-                glm::vec3& pixel = panorama.at(column, row);
-                pixel = glm::max(calm.at(column, row), 0.75f * least);
-                for (int c = 0; c < 3; ++c)
-                    if (most[c] <= 2.0f * least[c]) pixel[c] = std::min(pixel[c], 1.25f * most[c]);
-            }
+            for (int j = std::max(row - rows, 0); j <= std::min(row + rows, height - 1); ++j)
+                for (std::size_t i = 0; i < w; ++i)
+                    all[static_cast<std::size_t>(row) * w + i] |=
+                        across[static_cast<std::size_t>(j) * w + i];
+    });
+    return all;
+}
+
+/// Where no panorama gives what is given, steps overshoot, and lose or make light: dark and bright
+/// rims around lamps. There, and `rows` around, where the light of these lies, pixels become those
+/// of `calm`, and leave the range of `means` around them by at most a quarter: below, and where
+/// these are alike, above. `missed`: by how much what is given is missed.
+void calmDown(Image& panorama, const Image& calm, const Image& means, const Image& missed,
+              int rows) {
+    constexpr float kMostMissed = 0.2f;
+    const int width = panorama.width(), height = panorama.height();
+    const auto forAll = [&](auto&& pixel) {
+        parallelFor(0, height, 16, [&](int begin, int end) {
+            for (int row = begin; row < end; ++row)
+                for (int column = 0; column < width; ++column)
+                    pixel(column, row,
+                          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(column));
+        });
+    };
+    std::vector<char> marked(panorama.pixels().size());
+    forAll([&](int column, int row, std::size_t i) {
+        const glm::vec3 least = rangeAround(means, column, row).least;
+        marked[i] = glm::any(glm::greaterThan(missed.at(column, row), kMostMissed * least));
+    });
+    marked = widened(marked, width, height, rows);
+    forAll([&](int column, int row, std::size_t i) {
+        if (!marked[i]) return;
+        const auto [least, most] = rangeAround(means, column, row);
+        glm::vec3& pixel = panorama.at(column, row);
+        pixel = glm::max(calm.at(column, row), 0.75f * least);
+        for (int c = 0; c < 3; ++c)
+            if (most[c] <= 2.0f * least[c]) pixel[c] = std::min(pixel[c], 1.25f * most[c]);
     });
 }
 
@@ -287,7 +342,10 @@ Image resizedPanorama(const Image& panorama, int width, const Progress& progress
 }
 
 Image panoramaFromCube(const CubeMap& cube, int width, const Progress& progress) {
-    if (!isConstant(cube)) return meansOf<3>(cube, width, progress);
+    // Look-ups lie a third of a texel apart, or they would miss or double a lamp of one.
+    const float texels = static_cast<float>(cube.faceSize()) / equirectDensity(width);
+    const int across = std::clamp(static_cast<int>(std::ceil(3.0f * texels)), 3, 12);
+    if (!isConstant(cube)) return meansOf(cube, width, across, progress);
     Image image(width, std::max(1, width / 2));
     std::fill(image.pixels().begin(), image.pixels().end(), cube.texels(CubeFace::posX).front());
     return image;
@@ -312,7 +370,7 @@ Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progre
     // Faces coarser than the panorama hold means of its pixels, which are scaled to them.
     const auto scaled = [&](const Image& panorama, const Progress& part) {
         bool stopped = false;
-        Image image = meansOf<1>(compared(panorama, excessOf), width, watched(part, stopped));
+        Image image = meansOf(compared(panorama, excessOf), width, 1, watched(part, stopped));
         for (std::size_t i = 0; i < image.pixels().size(); ++i) {
             const glm::vec3 pixel = panorama.pixels()[i];
             image.pixels()[i] = withoutExcess(pixel, image.pixels()[i]) - pixel;
@@ -321,9 +379,7 @@ Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progre
     };
     const Image calm = unblurred(means);
     constexpr int kSteps = 8;
-    if (static_cast<float>(size) < equirectDensity(width))
-        return afterSteps(kSteps, calm, scaled, partOf(progress, 0.1f, 1.0f));
-
+    const float density = equirectDensity(width);
     const auto less = [](glm::vec3 is, glm::vec3 wanted) { return wanted - is; };
     const auto missing = [&](const Image& panorama, const Progress& part) {
         bool stopped = false;
@@ -331,13 +387,19 @@ Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progre
         const CubeMap there = compared(panorama, less);
         // Of texels as large as pixels fewer look-ups will do.
         const Image mean =
-            size > width ? meansOf<3>(there, width, watch) : meansOf<2>(there, width, watch);
+            size > width ? meansOf(there, width, 3, watch) : meansOf(there, width, 2, watch);
         return stopped ? Image() : sharpened(mean);
     };
-    Image panorama = afterSteps(kSteps, calm, missing, partOf(progress, 0.1f, 0.9f));
+    const bool coarse = static_cast<float>(size) < density;
+    Image panorama = afterSteps(kSteps, calm, coarse ? Missing(scaled) : Missing(missing),
+                                partOf(progress, 0.1f, 0.9f));
+    if (panorama.empty()) return panorama;
     const auto apart = [](glm::vec3 is, glm::vec3 wanted) { return glm::abs(wanted - is); };
+    // Two texels, or pixels where these are larger: so far calm pixels spread a lamp.
+    const int rows =
+        static_cast<int>(std::ceil(2.0f * std::max(density / static_cast<float>(size), 1.0f)));
     calmDown(panorama, calm, means,
-             meansOf<2>(compared(panorama, apart), width, partOf(progress, 0.9f, 1.0f)));
+             meansOf(compared(panorama, apart), width, 2, partOf(progress, 0.9f, 1.0f)), rows);
     return panorama;
 }
 

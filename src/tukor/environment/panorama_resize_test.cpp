@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <random>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "tukor/base/test_folder.h"
 #include "tukor/environment/cube_mips.h"
+#include "tukor/environment/cube_texel.h"
 #include "tukor/environment/environment_work.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/panorama.h"
@@ -122,6 +125,33 @@ TEST(PanoramaWithMeansOf, DrawsNoRimsAroundLamps) {
                 if (glm::dot(d, glm::normalize(glm::vec3(1.0f, 0.4f, 0.3f))) > 0.9f) continue;
                 ASSERT_NEAR(panorama.at(column, row).x, 0.2f, 0.12f) << column << ' ' << row;
             }
+    }
+}
+
+// Lamps of a single texel, which no panorama can give: beside an edge of a face, and within one.
+TEST(PanoramaWithMeansOf, KeepsTheLightOfLamps) {
+    for (const int size : {16, 32, 64}) {
+        CubeMap cube(size);
+        for (const CubeFace face : kCubeFaces)
+            for (glm::vec3& texel : cube.texels(face)) texel = glm::vec3(0.3f);
+        double light = 0.3;
+        for (const auto& [face, x, y] :
+             {std::tuple(CubeFace::posX, 1, size / 3), {CubeFace::negZ, size / 2, size / 3}}) {
+            cube.texels(face)[static_cast<std::size_t>(y * size + x)] +=
+                glm::vec3(20.0f * static_cast<float>(size * size));
+            light += 20.0 * size * size * texelSolidAngle(size, x, y) / (4.0 * std::numbers::pi);
+        }
+        for (const int width : {48, 64, 80, 96, 128, 160, 192, 256}) {
+            const Image panorama = panoramaWithMeansOf(cube, width);
+            double sum = 0.0, area = 0.0;
+            for (int row = 0; row < width / 2; ++row) {
+                const double band = std::sin(std::numbers::pi * (row + 0.5) / (width / 2));
+                for (int column = 0; column < width; ++column)
+                    sum += band * static_cast<double>(panorama.at(column, row).x);
+                area += band * width;
+            }
+            EXPECT_NEAR(sum / area / light, 1.0, 0.03) << size << " to " << width;
+        }
     }
 }
 
