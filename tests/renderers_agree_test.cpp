@@ -13,7 +13,9 @@
 #include "tukor/base/test_folder.h"
 #include "tukor/environment/environment.h"
 #include "tukor/geometry/shapes.h"
+#include "tukor/gl/context.h"
 #include "tukor/gl/render.h"
+#include "tukor/gl/renderer.h"
 #include "tukor/image/compare.h"
 #include "tukor/materials/materials.h"
 #include "tukor/scene/assign_materials.h"
@@ -242,6 +244,41 @@ TEST(Renderers, ThrowTheSameLightOnGround) {
         options.ground.reset();
         const Image bare = blocks(trace::render(scene, light, camera, options).radiance, 9);
         EXPECT_GT(compareImages(b, bare).rmse8, 5.0) << "no shadow to compare";
+    }
+}
+
+// Views that move show the light on ground that was gathered while they were at rest.
+TEST(Renderers, KeepTheLightOnGroundWhileTheViewMoves) {
+    const gl::Context context;
+    for (const Background background : {Background::quad, Background::none}) {
+        gl::Renderer renderer;
+        const Scene scene = sceneOf({"sphere", "gold", 1.0, false});
+        renderer.setScene(scene);
+        renderer.setEnvironment(loadEnvironment("studio"));
+        Camera camera = framingCamera(scene, 16.0f / 9.0f);
+        camera.eye += glm::vec3(0.0f, 2.0f, 0.0f);
+        gl::FrameOptions options{quick(8, 64), {}, {}};
+        options.picture.background = background;
+        options.picture.ground = -1.0f;
+        const auto drawn = [&](int samples) {
+            options.picture.samples = samples;
+            renderer.resetAccumulation();
+            for (int i = 0; i < samples; ++i) renderer.drawFrame(camera, options);
+            const Image image = renderer.read().radiance;
+            return blocks(background == Background::none ? alphaOf(image) : image, 9);
+        };
+        const Image bare = drawn(1);
+        for (int i = 0; i < 32; ++i) renderer.gatherGroundLight(camera, options);
+        camera.eye += glm::vec3(0.5f, -0.2f, 0.0f);
+        const Image moving = drawn(1), still = drawn(64);
+        // Some of it is the outline of the ball, which a single sample does not smooth.
+        const double apart = compareImages(still, moving).rmse8;
+        const double without = compareImages(still, bare).rmse8;
+        fmt::print("ground while the view moves: RMSE {:.2f} codes, {:.2f} without\n", apart,
+                   without);
+        EXPECT_LT(apart, without / 4.0);
+        renderer.setLights({});
+        EXPECT_GT(compareImages(still, drawn(1)).rmse8, 5.0) << "light of another scene";
     }
 }
 

@@ -217,6 +217,7 @@ private:
             atRest_ = false;
         } else if (!moving() && !finished()) {
             renderer_.drawFrame(session_.camera(), frame);
+            renderer_.gatherGroundLight(session_.camera(), frame);
             const std::chrono::duration<double> gone = Clock::now() - start;
             frameTime_ = gone.count();
             atRest_ = true;

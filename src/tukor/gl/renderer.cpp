@@ -62,6 +62,12 @@ void bindTexture(int unit, const Texture& texture) {
     glBindTexture(GL_TEXTURE_2D, texture.id());
 }
 
+constexpr TracedDrawer::Units kUnits{7, 9, 10, 12, 13, 14};  // after the environment and the scene
+
+// Of the distance of neighbouring samples. A little less, as trace has it: see
+// docs/notes/adaptive-sampling.md.
+constexpr float kFootprint = 0.7f;
+
 }  // namespace
 
 void Renderer::setScene(const Scene& scene, Preparation preparation) {
@@ -82,19 +88,19 @@ void Renderer::setPose(const Scene& scene, Preparation preparation) {
 
 void Renderer::setLights(const std::vector<Light>& lights) {
     lights_ = lights;
-    resetAccumulation();
+    forget();
 }
 
 void Renderer::setMaterial(int part, const Material& material) {
     TUKOR_ASSERT(part >= 0 && part < surfaces_.parts());
     materials_[static_cast<std::size_t>(part)] = material;
     if (tracedScene_.ready()) tracedScene_.setMaterials(materials_);
-    resetAccumulation();
+    forget();
 }
 
 void Renderer::setEnvironment(const Environment& environment, Preparation preparation) {
     environment_ = Surroundings(environment, preparation);
-    resetAccumulation();
+    forget();
     throwPendingErrors("uploading the environment");
 }
 
@@ -298,12 +304,10 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     const bool finished = tracedScene_.finished();
     Surroundings& around = surroundings(picture.environmentIntensity);
     // Neighbouring samples are as far apart as the number of them says, if it is known; else as the
-    // number so far. A little less, as trace has it: see docs/notes/adaptive-sampling.md.
-    constexpr float kFootprint = 0.7f;
+    // number so far.
     // From there on a sample is small enough for few to graze: see docs/notes/rims.md.
     constexpr float kSplitFrom = 64.0f;
     const auto samples = static_cast<float>(std::max(picture.samples.value_or(0), frames_ + 1));
-    constexpr TracedDrawer::Units kUnits{7, 9, 10, 12, 13};  // after the environment and the scene
     bindTexture(kUnits.sum, buffers_.sum());
     bindTexture(kUnits.sum + 1, buffers_.counts());
     if (finished) {
@@ -314,15 +318,10 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     const glm::mat3 turn = environmentFromWorld(picture.environmentRotation);
     const float emissionFactor = 1.0f / radiancePerUnit(picture.environmentIntensity);
     std::optional<TracedDrawer::Ground> ground;
-    if (picture.ground && picture.samples != 1) {
-        const glm::vec3 middle = bounds_.empty() ? glm::vec3(0.0f) : bounds_.centre();
-        const std::vector<LitDirection> suns =
-            sunsOnGround(lights_, turn, emissionFactor * around.texture.scale());
-        ground = {{middle.x, *picture.ground, middle.z},
-                  kGroundSize * std::max(bounds_.empty() ? 1.0f : bounds_.radius(), 1e-3f),
-                  around.chain.bindGround(kUnits.ground, suns)};
-        if (ground->irradiance == glm::vec3(0.0f)) ground.reset();
-    }
+    if (picture.samples != 1)
+        ground = groundOf(picture, TracedDrawer::GroundUse::traced);
+    else if (groundLight_.samples(picture) > 0)
+        ground = groundOf(picture, TracedDrawer::GroundUse::known);
     const bool count = counting_ == Counting::all && !subject.options.comparison;
     traced_.draw(
         tracedScene_, around.texture,
@@ -331,6 +330,55 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
          centred(subject), firstHitsHelp(subject), lights_, emissionFactor, ground},
         count ? Counting::all : Counting::none, kUnits,
         {look.left, 0, look.right - look.left, subject.window.height});
+}
+
+std::optional<TracedDrawer::Ground> Renderer::groundOf(const RenderOptions& picture,
+                                                       TracedDrawer::GroundUse use) {
+    if (!picture.ground) return std::nullopt;
+    Surroundings& around = surroundings(picture.environmentIntensity);
+    const std::vector<LitDirection> suns =
+        sunsOnGround(lights_, environmentFromWorld(picture.environmentRotation),
+                     around.texture.scale() / radiancePerUnit(picture.environmentIntensity));
+    const glm::vec3 middle = bounds_.empty() ? glm::vec3(0.0f) : bounds_.centre();
+    const TracedDrawer::Ground ground{
+        {middle.x, *picture.ground, middle.z},
+        kGroundSize * std::max(bounds_.empty() ? 1.0f : bounds_.radius(), 1e-3f),
+        around.chain.bindGround(kUnits.ground, suns),
+        use,
+        groundLight_.level()};
+    bindTexture(kUnits.groundLight, groundLight_.mean());
+    if (ground.irradiance == glm::vec3(0.0f)) return std::nullopt;
+    return ground;
+}
+
+void Renderer::gatherGroundLight(const Camera& camera, const FrameOptions& options) {
+    const RenderOptions& picture = options.picture;
+    const int samples = groundLight_.samples(picture);
+    if (samples >= GroundLight::kEnough || picture.fidelity == Fidelity::single ||
+        !tracedScene_.ready())
+        return;
+    const std::optional<TracedDrawer::Ground> ground =
+        groundOf(picture, TracedDrawer::GroundUse::gathered);
+    if (!ground) return;
+    Surroundings& around = surroundings(picture.environmentIntensity);
+    bindTexture(kUnits.sum, groundLight_.mean());
+    if (tracedScene_.finished()) around.chain.bind(kUnits.chain);
+    constexpr int kSize = GroundLight::kSize;
+    constexpr PictureWindow kAll{kSize, kSize, 0, 0, kSize, kSize};
+    glViewport(0, 0, kSize, kSize);
+    glDisable(GL_SCISSOR_TEST);
+    groundLight_.bindNext();
+    setState(false);
+    traced_.draw(
+        tracedScene_, around.texture,
+        {viewOf(camera, kAll, glm::vec2(0.0f), bounds_), kAll, picture, picture.fidelity,
+         picture.fresnel, environmentFromWorld(picture.environmentRotation),
+         kFootprint / std::sqrt(static_cast<float>(GroundLight::kEnough)), false, samples, false,
+         false, lights_, 1.0f / radiancePerUnit(picture.environmentIntensity), ground},
+        Counting::none, kUnits, {0, 0, kSize, kSize});
+    groundLight_.count(picture);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    throwPendingErrors("gathering the light on the ground");
 }
 
 void Renderer::present(const DisplayOptions& options, const Viewport& viewport) {

@@ -9,6 +9,7 @@
 #include "tukor/gl/environment_texture.h"
 #include "tukor/gl/finish_drawer.h"
 #include "tukor/gl/frame_buffers.h"
+#include "tukor/gl/ground_light.h"
 #include "tukor/gl/light_chain.h"
 #include "tukor/gl/single_drawer.h"
 #include "tukor/gl/surface_buffers.h"
@@ -91,6 +92,10 @@ public:
     /// A window of the picture only: for pictures that are larger than textures.
     void drawFrame(const Camera& camera, const FrameOptions& options, const PictureWindow& window);
 
+    /// Adds a sample, while there are too few, to the light that frames of one sample then show on
+    /// the ground; at fidelities that trace rays, as drawFrame() with these options would.
+    void gatherGroundLight(const Camera& camera, const FrameOptions& options);
+
     /// Whether a frame with these options has to prepare the light of finishes or a ground, or
     /// dispersion.
     [[nodiscard]] bool preparesLight(const RenderOptions& options) const noexcept;
@@ -137,6 +142,14 @@ private:
     [[nodiscard]] bool centred(const Subject& subject) const;
     [[nodiscard]] bool firstHitsHelp(const Subject& subject) const;
     void drawTraced(const Subject& subject, const Look& look, const View& view);
+    /// Nothing where the options ask for none, or all is dark. What it needs is bound.
+    [[nodiscard]] std::optional<TracedDrawer::Ground> groundOf(const RenderOptions& picture,
+                                                               TracedDrawer::GroundUse use);
+    /// Scene or light is another one.
+    void forget() noexcept {
+        groundLight_.clear();
+        resetAccumulation();
+    }
     void blurBackground(const Subject& subject);
 
     struct Surroundings {
@@ -165,6 +178,7 @@ private:
     FinishDrawer finishes_;
     TracedScene tracedScene_;
     TracedDrawer traced_;
+    GroundLight groundLight_;
     Counting counting_ = Counting::none;
     std::optional<Program> accumulateProgram_;
     std::optional<Program> presentProgram_;

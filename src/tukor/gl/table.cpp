@@ -12,10 +12,10 @@ Texture makeTable(GLenum internal, GLenum format, GLenum type, int width, std::s
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     const std::size_t height = texels / static_cast<std::size_t>(width);
     if (height > static_cast<std::size_t>(largest))
-        throw Error(fmt::format(
-            "the model has too many triangles for this OpenGL driver, whose textures have at most "
-            "{} rows; --renderer trace has no such limit",
-            largest));
+        throw Error(
+            fmt::format("too many triangles for this OpenGL driver: textures of at most {} rows; "
+                        "trace takes more",
+                        largest));
     Texture texture = Texture::make();
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.id());

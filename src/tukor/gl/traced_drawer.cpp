@@ -82,6 +82,9 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     if (frame.ground) {
         program.set("ground", glm::vec4(frame.ground->middle, frame.ground->halfWidth));
         program.set("groundIrradiance", frame.ground->irradiance);
+        program.set("groundUse", static_cast<int>(frame.ground->use));
+        program.set("groundLight", units.groundLight);
+        program.set("groundLevel", frame.ground->level);
         program.set("lit", units.ground);
     }
     program.set("first", frame.number == 0 ? 1 : 0);

@@ -16,11 +16,16 @@ namespace tukor::gl {
 
 class TracedDrawer {
 public:
+    /// How light and shadows on the ground come about: traced, known by place from a GroundLight,
+    /// or gathered for one.
+    enum class GroundUse { traced, known, gathered };
     /// A square of ground, and how it is lit where nothing shadows it, in units of the frame.
     struct Ground {
         glm::vec3 middle;
         float halfWidth;
         glm::vec3 irradiance;
+        GroundUse use;
+        float level;  // of what is known
     };
     /// One frame: `options` but with the fidelity and Fresnel form given beside it.
     struct Frame {
@@ -41,13 +46,14 @@ public:
     };
     /// Texture units of what the renderer has bound: the sum, its counts beside it, what was drawn
     /// of surfaces with a finish, the light chain and its table, the first hits, what lights the
-    /// ground.
+    /// ground, and its light by place.
     struct Units {
         int sum;
         int raster;
         int chain;
         int firstHits;
         int ground;
+        int groundLight;
     };
     /// The region of the bound framebuffer to draw.
     struct Region {

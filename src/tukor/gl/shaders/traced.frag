@@ -44,6 +44,36 @@ const int kAsking = -2;         // in place of what those rays leave
 const int kCatching = -3;
 const float kPi = 3.14159265;
 
+// Views that move, of one sample a pixel, show the light on it that was gathered before, by place; see ground_light.h. What
+// gathers has texels in place of pixels.
+uniform int groundUse;
+const int kTraced = 0;
+const int kKnown = 1;
+const int kGathered = 2;
+uniform sampler2D groundLight;  // the share of what nothing shadows, and in alpha how much is hidden
+uniform float groundLevel;      // of it to look at: the fewer samples, the smoother
+
+// From the middle to where texels are four times as long: one and a half radii of the scene.
+float groundDetail() {
+    return 0.03 * ground.w;
+}
+
+vec2 groundTexel(vec3 place) {
+    vec2 x = (place.xz - ground.xz) / groundDetail();
+    return 0.5 + 0.5 * x / (1.0 + abs(x));
+}
+
+// From above to that texel.
+Branch groundRay(Branch ray, vec2 texel) {
+    vec2 x = 2.0 * texel - 1.0;
+    x *= groundDetail() / (1.0 - abs(x));
+    ray.origin = ground.xyz + vec3(x.x, groundDetail(), x.y);
+    ray.direction = vec3(0.0, -1.0, 0.0);
+    ray.footprint = thinFootprint();
+    ray.media = 0u;
+    return ray;
+}
+
 // Metres until a ray meets it from above; negative: not at all.
 float groundDistance(Branch ray) {
     if (ray.media != 0u || !(ray.direction.y < 0.0)) return -1.0;
@@ -223,6 +253,9 @@ Branch cameraRay(ivec2 pixel, PixelPart part) {
     ray.media = eyeMedia;
     ray.skip = -1;
     ray.depth = 0;
+#ifdef GROUND
+    if (groundUse == kGathered) ray = groundRay(ray, (vec2(pixel) + part.middle) / vec2(windowSize));
+#endif
     return ray;
 }
 
@@ -256,9 +289,13 @@ void main() {
 #ifdef GROUND
     Branch standing = tree.branch;  // on the ground, of the throughput of its irradiance
     bool shadow = false;            // what is asked for is how much is seen of what is behind
+    if (groundUse == kGathered) radiance.a = 0.0;
 #endif
 #ifdef FINISHES
     vec4 drawn = eyeMedia == 0u ? texelFetch(raster, pixel, 0) : vec4(0.0);
+#ifdef GROUND
+    if (groundUse == kGathered) drawn = vec4(0.0);
+#endif
     if (drawn.a >= 1.0) tree.alive = false;
 #endif
     while (true) {
@@ -296,7 +333,7 @@ void main() {
             if (tree.branch.skip == kAsking) {
                 if (any) {
                     if (shadow) radiance.a += weight * dot(tree.branch.throughput, vec3(1.0 / 3.0));
-                    else radiance.rgb -= weight * tree.branch.throughput;
+                    if (!shadow || groundUse == kGathered) radiance.rgb -= weight * tree.branch.throughput;
                 }
                 shadow = false;
                 uint own = mixedBits(pixelsSeed ^ uint(tree.rays) * 0x9e3779b9u);
@@ -304,7 +341,8 @@ void main() {
                 continue;
             }
             float toGround = groundDistance(tree.branch);
-            grounded = toGround > 0.0 && (!any || toGround < found.t);
+            bool gathers = groundUse == kGathered && tree.branch.depth == 0;
+            grounded = toGround > 0.0 && (!any || toGround < found.t || gathers);
             if (grounded) {
                 standing = tree.branch;
                 standing.footprint = footprintAtSurface(standing.footprint, standing.direction, toGround, vec3(0.0, 1.0, 0.0));
@@ -387,19 +425,29 @@ void main() {
         if (grounded) {
             vec3 E = max(groundIrradiance, vec3(1e-20));
             bool seen = standing.depth == 1 && direct;  // by the camera
+            if (seen && groundUse == kGathered) found = vec3(1.0);
             // No ground that is not the background itself reflects more than it gets.
             standing.throughput = (seen ? found : min(found, standing.throughput * E / kPi)) / E;
             tree.branch = standing;
-            if (!seen && heaviness(found) < weightCutoff) endBranch(tree);
-            shadow = seen && !background;
-            if (shadow) {
+            bool nothing = seen && !background && groundUse != kGathered;
+            if (nothing) {
                 radiance.a -= weight;
                 found = vec3(0.0);
-                tree.branch.throughput = 1.0 / E;
             }
-            uint own = mixedBits(pixelsSeed ^ uint(tree.rays) * 0x85ebca6bu);
-            tree.branch = askingRay(tree.branch, index ^ own >> 20u);
             direct = false;
+            if (groundUse == kKnown) {
+                vec4 light = textureLod(groundLight, groundTexel(standing.origin), groundLevel);
+                if (nothing) radiance.a += weight * light.a;
+                found += standing.throughput * E * (light.rgb - (nothing ? 1.0 - light.a : 1.0));
+                endBranch(tree);
+            } else if (!seen && heaviness(found) < weightCutoff) {
+                endBranch(tree);
+            } else {
+                shadow = nothing || groundUse == kGathered && standing.depth == 1;
+                if (nothing) tree.branch.throughput = 1.0 / E;
+                uint own = mixedBits(pixelsSeed ^ uint(tree.rays) * 0x85ebca6bu);
+                tree.branch = askingRay(tree.branch, index ^ own >> 20u);
+            }
         }
 #endif
         radiance.rgb += weight * found;
@@ -408,7 +456,11 @@ void main() {
 #ifdef FINISHES
     radiance = drawn + max(1.0 - drawn.a, 0.0) * radiance;
 #endif
-    fragmentColor = first ? radiance : texelFetch(sum, pixel, 0) + radiance;
+    vec4 before = first ? vec4(0.0) : texelFetch(sum, pixel, 0);
+    fragmentColor = before + radiance;
+#ifdef GROUND
+    if (groundUse == kGathered) fragmentColor = mix(before, radiance, 1.0 / float(frame + 1u));
+#endif
 #if COUNTING == 1
     counts = first ? happened : texelFetch(counted, pixel, 0) + happened;
 #endif
