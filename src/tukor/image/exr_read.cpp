@@ -207,7 +207,21 @@ Image displayed(Pixels&& pixels, const Box2i& display, std::string_view name) {
     return out;
 }
 
-/// To linear Rec. 709, when the file names other primaries.
+glm::vec3 whiteOf(const Imf::Chromaticities& primaries) {
+    const Imath::V2f w = primaries.white;
+    return glm::vec3(w.x, w.y, 1.0f - w.x - w.y) / w.y;
+}
+
+/// XYZ under one white as it looks under another. [Bradford: Lam 1985]
+glm::mat3 adaptation(glm::vec3 from, glm::vec3 to) {
+    const glm::mat3 coneFromXyz = glm::transpose(glm::mat3(
+        0.8951f, 0.2664f, -0.1614f, -0.7502f, 1.7135f, 0.0367f, 0.0389f, -0.0685f, 1.0296f));
+    const glm::vec3 gain = (coneFromXyz * to) / (coneFromXyz * from);
+    const glm::mat3 scale(gain.x, 0, 0, 0, gain.y, 0, 0, 0, gain.z);
+    return glm::inverse(coneFromXyz) * scale * coneFromXyz;
+}
+
+/// To linear Rec. 709, when the file names other primaries: their white becomes ours.
 void convertPrimaries(Image& image, const Imf::Header& header) {
     if (!Imf::hasChromaticities(header)) return;
     const Imf::Chromaticities theirs = Imf::chromaticities(header);
@@ -219,13 +233,17 @@ void convertPrimaries(Image& image, const Imf::Header& header) {
     if (near(theirs.red, ours.red) && near(theirs.green, ours.green) &&
         near(theirs.blue, ours.blue) && near(theirs.white, ours.white))
         return;
-    const Imath::M44f m = Imf::RGBtoXYZ(theirs, 1.0f) * Imf::XYZtoRGB(ours, 1.0f);
-    glm::mat3 rec709FromTheirs;
-    for (int from = 0; from < 3; ++from)
-        for (int to = 0; to < 3; ++to) {
-            if (!std::isfinite(m[from][to])) return;  // degenerate primaries mean nothing
-            rec709FromTheirs[from][to] = m[from][to];
-        }
+    const auto columns = [](const Imath::M44f& rows) {
+        glm::mat3 m;
+        for (int from = 0; from < 3; ++from)
+            for (int to = 0; to < 3; ++to) m[from][to] = rows[from][to];
+        return m;
+    };
+    const glm::mat3 rec709FromTheirs = columns(Imf::XYZtoRGB(ours, 1.0f)) *
+                                       adaptation(whiteOf(theirs), whiteOf(ours)) *
+                                       columns(Imf::RGBtoXYZ(theirs, 1.0f));
+    for (int i = 0; i < 9; ++i)  // degenerate primaries mean nothing
+        if (!std::isfinite(rec709FromTheirs[i / 3][i % 3])) return;
     for (glm::vec3& pixel : image.pixels()) pixel = rec709FromTheirs * pixel;
 }
 

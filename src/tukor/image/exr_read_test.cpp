@@ -241,24 +241,33 @@ TEST_F(ExrRead, NamesTheChannelsWhenNoneIsColour) {
 }
 
 TEST_F(ExrRead, ConvertsOtherPrimaries) {
-    // ACES white is D60-like and must stay neutral up to the white points' difference; its green
-    // primary lies far outside Rec. 709.
-    Image image(1, 1);
-    image.at(0, 0) = glm::vec3(0, 1, 0);
-    {
-        Imf::Header header(1, 1);
-        insertChannels(header, Imf::FLOAT);
-        Imf::addChromaticities(header, Imf::Chromaticities({0.7347f, 0.2653f}, {0.0f, 1.0f},
-                                                           {0.0001f, -0.077f}, {0.3127f, 0.3290f}));
-        Imf::OutputFile file(path(), header);
-        Imf::FrameBuffer frame;
-        insertRgb(frame, image, {0, 0});
-        file.setFrameBuffer(frame);
-        file.writePixels(1);
-    }
-    const glm::vec3 back = read().at(0, 0);
-    EXPECT_LT(back.x, -0.5f);
-    EXPECT_GT(back.y, 1.2f);
+    const auto converted = [&](glm::vec3 pixel, const Imf::Chromaticities& primaries) {
+        Image image(1, 1);
+        image.at(0, 0) = pixel;
+        {
+            Imf::Header header(1, 1);
+            insertChannels(header, Imf::FLOAT);
+            Imf::addChromaticities(header, primaries);
+            Imf::OutputFile file(path(), header);
+            Imf::FrameBuffer frame;
+            insertRgb(frame, image, {0, 0});
+            file.setFrameBuffer(frame);
+            file.writePixels(1);
+        }
+        return read().at(0, 0);
+    };
+    // ACES' green lies far outside Rec. 709; its white, like every other, becomes white.
+    const Imf::Chromaticities aces({0.7347f, 0.2653f}, {0.0f, 1.0f}, {0.0001f, -0.077f},
+                                   {0.32168f, 0.33767f});
+    const glm::vec3 green = converted({0, 1, 0}, aces);
+    EXPECT_LT(green.x, -0.5f);
+    EXPECT_GT(green.y, 1.2f);
+    EXPECT_LT(glm::distance(converted(glm::vec3(1.0f), aces), glm::vec3(1.0f)), 1e-5f);
+    // Rec. 709 as ICC profiles name it, adapted to D50.
+    const Imf::Chromaticities adapted({0.6484f, 0.3309f}, {0.3212f, 0.5978f}, {0.1559f, 0.0660f},
+                                      {0.3457f, 0.3585f});
+    const glm::vec3 sky(0.2f, 0.5f, 0.9f);
+    EXPECT_LT(glm::distance(converted(sky, adapted), sky), 1e-3f);
 }
 
 TEST_F(ExrRead, RefusesEveryTruncationWithOneError) {
