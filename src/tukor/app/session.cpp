@@ -38,6 +38,11 @@ std::vector<Material> materialsOf(const Scene& scene) {
     return materials;
 }
 
+bool haveFinishes(const std::vector<Material>& materials) {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const Material& m) { return m.finish != nullptr; });
+}
+
 const Camera& namedCamera(const Scene& scene, const std::string& name) {
     std::vector<std::string_view> known;
     for (const NamedCamera& candidate : scene.cameras) {
@@ -179,6 +184,8 @@ void Session::apply(const SessionOptions& options) {
         scene_ = std::move(*scene);
         ownMaterials_ = std::move(own);
     }
+    // Renderers that took it as ideally smooth have not taken what finishes need.
+    if (haveFinishes(materialsOf(scene_)) && !haveFinishes(before)) ++sceneRevision_;
     if (lightsChange) {
         scene_.lights = std::move(lights);
         ownLights_ = std::move(ownLights);

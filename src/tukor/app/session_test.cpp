@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "tukor/base/error.h"
+#include "tukor/base/file.h"
+#include "tukor/base/test_folder.h"
 
 namespace tukor {
 namespace {
@@ -65,6 +67,26 @@ TEST(Session, AddsLightsAndDispersionToTheModels) {
                                                            HasSubstr("gl draws no ground")}));
     options.light.ground = "deep";
     EXPECT_THAT(messageOf([&] { session.apply(options); }), HasSubstr("ground: 'deep'"));
+}
+
+TEST(Session, HasAnotherSceneWhereFinishesAppear) {
+    const TestFolder folder;
+    writeFile(folder.path("a.mtl"), std::string_view("newmtl m\nKd 1 1 1\nPr 0.5\n"));
+    writeFile(folder.path("a.obj"),
+              std::string_view("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n"));
+    SessionOptions options;
+    options.subject.models = {folder.path("a.obj")};
+    options.subject.materials = {"gold"};
+    options.light.faceSize = 8;
+    Session session(options);
+    const std::uint64_t golden = session.sceneRevision();
+    options.subject.materials = {"silver"};
+    session.apply(options);
+    EXPECT_EQ(session.sceneRevision(), golden);
+    options.subject.materials.clear();
+    session.apply(options);
+    EXPECT_NE(session.scene().parts[0].material.finish, nullptr);
+    EXPECT_NE(session.sceneRevision(), golden);
 }
 
 }  // namespace
