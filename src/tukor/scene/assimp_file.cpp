@@ -236,12 +236,14 @@ Surface surfaceOf(const aiMaterial& material, MaterialTextures found, FileTextur
     (void)material.Get(AI_MATKEY_TRANSMISSION_FACTOR, surface.transmission);
     float ior = 0.0f, opacity = 1.0f;
     if (material.Get(AI_MATKEY_REFRACTI, ior) == AI_SUCCESS && ior > 1.0f) surface.ior = ior;
-    if (material.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity < 0.5f) {
+    (void)material.Get(AI_MATKEY_OPACITY, opacity);
+    if (opacity < kGlassBelow) {
         surface.transmission = 1.0f;
         surface.roughness = 0.0f;
         surface.baseColor = glm::vec3(1.0f);
         return surface;
     }
+    setOpacity(surface, opacity);
     addTextures(found, surface, textures);
     return surface;
 }

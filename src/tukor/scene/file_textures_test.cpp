@@ -112,6 +112,25 @@ TEST_F(FileTexturesTest, GlassStaysClear) {
     EXPECT_NE(triangleOf("newmtl m\nillum 7\nmap_Kd p.png\n").parts.at(0).material.finish, nullptr);
 }
 
+TEST_F(FileTexturesTest, WhatHidesMostOfWhatIsBehindIsNoGlass) {
+    const Finish& pane = *triangleOf("newmtl m\nd 0.7\n").parts.at(0).material.finish;
+    EXPECT_EQ(pane.alphaMode, AlphaMode::blend);
+    EXPECT_FLOAT_EQ(pane.alpha, 0.7f);
+    EXPECT_EQ(triangleOf("newmtl m\nd 1\n").parts.at(0).material.finish->alphaMode,
+              AlphaMode::opaque);
+}
+
+TEST_F(FileTexturesTest, MetalsHaveTheColourThatIsOne) {
+    const auto tint = [&](const char* figures) {
+        return triangleOf(std::string("newmtl m\nillum 3\nPr 0.3\n") + figures)
+            .parts.at(0)
+            .material.finish->baseColor;
+    };
+    EXPECT_EQ(tint("Kd 1 0.8 0.3\nKs 0.5 0.5 0.5\n"), glm::vec3(1, 0.8f, 0.3f));
+    EXPECT_EQ(tint("Kd 0.1 0.1 0.1\nKs 1 0.8 0.3\n"), glm::vec3(1, 0.8f, 0.3f));
+    EXPECT_EQ(tint("Kd 0.1 0.1 0.1\nKs 0.9 0.9 0.9\n"), glm::vec3(0.9f));
+}
+
 TEST_F(FileTexturesTest, ColladaPutsPicturesOnSurfaces) {
     writeFile(folder_.path("p.png"), png(1, 1, {1, 2, 3}));
     const auto source = [](const char* id, int count, int stride, const char* values) {

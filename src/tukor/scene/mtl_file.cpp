@@ -139,13 +139,17 @@ Surface surfaceOf(const std::string& name, const Entry& entry, FileTextures& tex
     const bool hasSpecular = entry.specular != glm::vec3(0.0f);
     const bool isMirror = (entry.model == 3 || entry.model == 5) && hasSpecular;
     surface.metallic = entry.metallic.value_or(isMirror ? 1.0f : 0.0f);
-    surface.baseColor = isMirror && !entry.metallic ? entry.specular : entry.diffuse;
+    // Some exporters write a grey highlight, and the metal's colour as the diffuse one.
+    const auto isGrey = [](glm::vec3 c) { return c.x == c.y && c.y == c.z; };
+    const bool bySpecular =
+        isMirror && !entry.metallic && (!isGrey(entry.specular) || isGrey(entry.diffuse));
+    surface.baseColor = bySpecular ? entry.specular : entry.diffuse;
     surface.roughness =
         entry.roughness.value_or(roughnessFromExponent(entry.exponent.value_or(0.0f)));
     // Some exporters write the illumination of glass for everything.
     const bool likeGlass =
         entry.model == 4 || entry.model == 6 || entry.model == 7 || entry.model == 9;
-    const bool clear = entry.opacity < 0.5f || (likeGlass && entry.colour.file.empty());
+    const bool clear = entry.opacity < kGlassBelow || (likeGlass && entry.colour.file.empty());
     if (clear && surface.metallic < 0.5f) {
         surface.transmission = 1.0f;
         surface.metallic = 0.0f;
@@ -154,6 +158,7 @@ Surface surfaceOf(const std::string& name, const Entry& entry, FileTextures& tex
         surface.ior = entry.ior > 1.0f ? entry.ior : 1.5f;  // 1: the exporter did not know
         return surface;
     }
+    setOpacity(surface, entry.opacity);
     surface.emission = glm::max(entry.emission, 0.0f);
     surface.clearcoat = std::clamp(entry.clearcoat, 0.0f, 1.0f);
     surface.clearcoatRoughness = std::clamp(entry.clearcoatRoughness, 0.0f, 1.0f);

@@ -42,6 +42,16 @@ void countTextureAlone(Factor& factor) noexcept {
     if (factor == Factor(0.0f)) factor = Factor(1.0f);
 }
 
+/// Below this share of opacity what files say is taken for clear glass.
+inline constexpr float kGlassBelow = 0.5f;
+
+/// What hides only so much of what is behind it.
+inline void setOpacity(Surface& surface, float opacity) noexcept {
+    if (!(opacity < 1.0f)) return;
+    surface.alpha = std::max(opacity, 0.0f);
+    surface.alphaMode = AlphaMode::blend;
+}
+
 [[nodiscard]] bool hasTextures(const Surface& surface) noexcept;
 
 /// An ideal surface: a metal whose reflectance at normal incidence is the base colour, or a

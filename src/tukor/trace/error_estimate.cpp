@@ -33,6 +33,18 @@ float codeOf(float x) {
 
 constexpr float kSlopeAtWhite = 255.0f * 1.055f / 2.4f;
 
+/// The square of the distance of two colours in codes, and of codes that go on beyond white.
+struct Step {
+    float shown, bright;
+};
+
+Step stepOf(glm::vec3 before, glm::vec3 now) noexcept {
+    before = unclippedCode(before);
+    now = unclippedCode(now);
+    const glm::vec3 bright = before - now, shown = min(before, 255.0f) - min(now, 255.0f);
+    return {dot(shown, shown), dot(bright, bright)};
+}
+
 /// Sums over 5 values in a row, for every place of a line; fewer at its ends.
 void boxLine(const float* in, float* out, int count, std::size_t stride) {
     constexpr int kReach = 2;
@@ -76,7 +88,8 @@ glm::vec3 unclippedCode(glm::vec3 radiance) noexcept {
     return code;
 }
 
-Accumulation::Accumulation(int w, int h) : width(w), height(h) {
+Accumulation::Accumulation(int w, int h, bool isTransparent)
+    : width(w), height(h), transparent(isTransparent) {
     const std::size_t count = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
     sums.resize(count);
     samples.assign(count, 0);
@@ -91,12 +104,16 @@ void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t cou
     const auto a = static_cast<float>(samples[pixel]), b = static_cast<float>(count);
     if (samples[pixel] > 0) {
         const float share = a * b / (3.0f * (a + b) * (a + b));
-        const glm::vec3 before = unclippedCode(mean(pixel)), now = unclippedCode(sum.radiance / b);
-        const glm::vec3 bright = before - now;
-        const glm::vec3 step = min(before, 255.0f) - min(now, 255.0f);
+        Step step = stepOf(mean(pixel), sum.radiance / b);
+        if (transparent) {
+            const float clear = 1.0f - sums[pixel].coverage / a, clearNow = 1.0f - sum.coverage / b;
+            const Step other = stepOf(mean(pixel) + clear, sum.radiance / b + clearNow);
+            step.shown = 0.5f * (step.shown + other.shown);
+            step.bright = 0.5f * (step.bright + other.bright);
+        }
         halvesBefore[pixel] = halves[pixel];
-        halves[pixel] = dot(step, step) * share;
-        brightHalves[pixel] = dot(bright, bright) * share;
+        halves[pixel] = step.shown * share;
+        brightHalves[pixel] = step.bright * share;
     }
     sums[pixel].radiance += sum.radiance;
     sums[pixel].doubtful += sum.doubtful;

@@ -15,7 +15,8 @@ namespace tukor::trace {
 
 /// The picture under way: sums of samples and what is known of their error.
 struct Accumulation {
-    Accumulation(int w, int h);
+    /// `transparent`: errors are those of the picture before black and before white, half each.
+    Accumulation(int w, int h, bool transparent = false);
 
     /// Rays that a sample of the pixel takes.
     [[nodiscard]] float raysEach(std::size_t pixel) const noexcept {
@@ -36,6 +37,7 @@ struct Accumulation {
 
     int width;
     int height;
+    bool transparent;
     std::vector<PixelSum> sums;
     std::vector<std::uint32_t> samples;
     std::vector<float> halves;         // squared difference of the last two means, weighted so that

@@ -261,6 +261,19 @@ Image traced(const SurfaceTable& surfaces) {
     return image;
 }
 
+TEST(Accumulation, SeesShadowsOnNothing) {
+    const auto step = [](bool transparent) {
+        Accumulation picture(1, 1, transparent);
+        PixelSum sum;
+        picture.add(0, sum, 1);
+        sum.coverage = 1.0f;
+        picture.add(0, sum, 1);
+        return picture.halves[0];
+    };
+    EXPECT_GT(step(true), 0.0f);
+    EXPECT_EQ(step(false), 0.0f);
+}
+
 TEST(PathPool, OverlappingTumblerEqualsExplicitInterfaces) {
     Tumbler tumbler = makeTumbler();
     const std::vector<DielectricMedium> media = {{1.333f, glm::vec3(0.1f)},

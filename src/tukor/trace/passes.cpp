@@ -24,7 +24,7 @@ Passes::Passes(const Frame& frame, const PassGoals& goals, const RenderProgress&
     : frame_(frame),
       goals_(goals),
       progress_(progress),
-      picture_(frame.width, frame.height),
+      picture_(frame.width, frame.height, !frame.background),
       start_(std::chrono::steady_clock::now()) {}
 
 double Passes::elapsed() const {
