@@ -53,7 +53,7 @@ const Texture& FinishDrawer::textureOf(const TextureMap& map, TextureRole role) 
     // Larger ones than the driver's are thinned out: seen at full size they would fill many
     // screens.
     const int step = (std::max(texels.width, texels.height) + largest - 1) / largest;
-    const int width = texels.width / step, height = texels.height / step;
+    const int width = std::max(texels.width / step, 1), height = std::max(texels.height / step, 1);
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width) *
                                    static_cast<std::size_t>(height) * 4);
     const auto n = static_cast<std::size_t>(texels.channels);

@@ -183,14 +183,11 @@ void main() {
     turned.b = cross(n, turned.t);
     float alpha = max(roughness * roughness, 1e-3);
     Lamplight lit = lamplight(turned, wo, vec2(alpha), fromEye);
-    float missing = 1.0 / max(terms.x + terms.y, 1e-3) - 1.0;
-    vec3 lampMetal = (metalF0 * lit.scale + lit.bias) * (vec3(1.0) + metalF0 * missing);
-    vec3 lampMat = (F0 * lit.scale + weight * lit.bias) * (vec3(1.0) + F0 * missing);
-    vec3 lampBase = base.rgb * lit.matt;
+    vec3 lampBase = (vec3(1.0) - matR) * base.rgb;
 #ifdef TRANSMISSIVE
     lampBase *= 1.0 - entering;
 #endif
-    L += metallic * lampMetal + (1.0 - metallic) * (lampMat + (vec3(1.0) - matR) * lampBase);
+    L += lampLook(lit, terms, metallic, metalF0, F0, weight, lampBase);
 #endif
 
 #ifdef SHEEN

@@ -119,9 +119,7 @@ FinishLook finishLook(uint kind, int part, BvhHit found, SurfaceHit hit, Encount
     frame.t = normalize(cross(n, abs(n.x) < 0.5 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
     frame.b = cross(n, frame.t);
     Lamplight lit = lamplight(frame, wo, vec2(max(roughness * roughness, 1e-3)), environmentFromWorld * (at.origin - eye));
-    look.L += figures.x * (base.rgb * lit.scale + lit.bias) +
-              (1.0 - figures.x) * (F0 * lit.scale + figures.z * lit.bias +
-                                   (1.0 - figures.w) * (vec3(1.0) - matR) * base.rgb * lit.matt);
+    look.L += lampLook(lit, terms, figures.x, base.rgb, F0, figures.z, (1.0 - figures.w) * (vec3(1.0) - matR) * base.rgb);
 #endif
     if (Le.a > 0.0) {
         float coatR = Le.a * compensatedReflectance(vec3(0.04), vec3(1.0), split(c1, more.w).rg).x;

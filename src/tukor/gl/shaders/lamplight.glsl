@@ -52,4 +52,12 @@ Lamplight lamplight(TangentFrame f, vec3 wo, vec2 a, vec3 position) {
     }
     return sum;
 }
+
+// What a metal sends of that, and what does something clear over `matt`; `terms` as in the split sum.
+vec3 lampLook(Lamplight lit, vec2 terms, float metallic, vec3 metalF0, vec3 F0, float F90, vec3 matt) {
+    float missing = 1.0 / max(terms.x + terms.y, 1e-3) - 1.0;
+    vec3 metal = (metalF0 * lit.scale + lit.bias) * (vec3(1.0) + metalF0 * missing);
+    vec3 clear = (F0 * lit.scale + F90 * lit.bias) * (vec3(1.0) + F0 * missing);
+    return metallic * metal + (1.0 - metallic) * (clear + matt * lit.matt);
+}
 #endif
