@@ -32,6 +32,12 @@ Wrap wrapOf(const JsonItem& sampler, const char* member) {
 std::map<std::size_t, Texels> givenImages;
 #endif
 
+/// The set of texture coordinates that it names; far ones are one that nothing has.
+int uvSetOf(const JsonItem& item, int usual) {
+    return static_cast<int>(
+        std::min<std::size_t>(item.countOr("texCoord", static_cast<std::size_t>(usual)), 1000));
+}
+
 // Offset, then rotation, then scale; the rotation turns pictures counter-clockwise as v runs down.
 void transform(const JsonItem& extension, TextureMap& map) {
     const auto offset = extension.numbers<2>("offset").value_or(std::array<double, 2>{0.0, 0.0});
@@ -41,8 +47,7 @@ void transform(const JsonItem& extension, TextureMap& map) {
     map.imageFromUv =
         glm::mat3x2(glm::vec2(c * scale[0], -s * scale[0]), glm::vec2(s * scale[1], c * scale[1]),
                     glm::vec2(offset[0], offset[1]));
-    map.uvSet =
-        static_cast<int>(extension.countOr("texCoord", static_cast<std::size_t>(map.uvSet)));
+    map.uvSet = uvSetOf(extension, map.uvSet);
 }
 
 }  // namespace
@@ -55,7 +60,7 @@ void giveGltfImage(std::size_t index, Texels texels) {
 
 TextureMap GltfTextures::mapOf(const JsonItem& textureInfo, std::string_view material) {
     TextureMap map;
-    map.uvSet = static_cast<int>(std::min<std::size_t>(textureInfo.countOr("texCoord", 0), 1000));
+    map.uvSet = uvSetOf(textureInfo, 0);
     if (const std::optional<JsonItem> extensions = textureInfo.find("extensions"))
         if (const std::optional<JsonItem> extension = extensions->find("KHR_texture_transform"))
             transform(*extension, map);

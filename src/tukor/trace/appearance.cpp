@@ -155,9 +155,8 @@ Appearance FinishTable::at(const RayHit& hit, const transport::SurfaceHit& surfa
                             place.weights.z * mesh.tangents[place.corners.z];
         frame = frameOf(front, glm::vec3(t), t0.w);
     } else {
-        const int set = finish.map(TextureRole::normal).uvSet;
-        const auto& uvs = mesh.uvs[static_cast<std::size_t>(set)];
-        if (uvs.empty())
+        const auto& uvs = mesh.uvs[finish.map(TextureRole::normal).uvSet == 1 ? 1 : 0];
+        if (uvs.size() != mesh.positions.size())
             frame = frameOf(front, anyTangent(front), 1.0f);
         else
             frame = frameAlongUv(front, surface.e1, surface.e2,
