@@ -9,6 +9,7 @@
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/gl/half_float.h"
+#include "tukor/transport/look_ups.h"
 
 namespace tukor::gl {
 
@@ -87,7 +88,8 @@ void EnvironmentTexture::uploadPanorama(const Image& panorama, Preparation prepa
     const int width = panorama.width();
     const int height = panorama.height();
     // At the horizon a pixel spans 2 pi / width, a cube's texel on average sqrt(4 pi / 6) / size.
-    faceSize_ = std::max(1, static_cast<int>(0.2303f * static_cast<float>(width)));
+    faceSize_ =
+        std::max(1, static_cast<int>(transport::kFaceOfPanorama * static_cast<float>(width)));
     scale_ = scaleFor(brightestOf(panorama.pixels()));
     const int levels = levelsFor(std::max(width, height), preparation);
     bind(0);

@@ -7,6 +7,7 @@
 #include "tukor/gl/errors.h"
 #include "tukor/gl/full_viewport.h"
 #include "tukor/gl/shaders.h"
+#include "tukor/transport/look_ups.h"
 
 namespace tukor::gl {
 
@@ -63,10 +64,6 @@ void bindTexture(int unit, const Texture& texture) {
 }
 
 constexpr TracedDrawer::Units kUnits{7, 9, 10, 12, 13, 14};  // after the environment and the scene
-
-// Of the distance of neighbouring samples. A little less, as trace has it: see
-// docs/notes/adaptive-sampling.md.
-constexpr float kFootprint = 0.7f;
 
 }  // namespace
 
@@ -323,13 +320,13 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     else if (groundLight_.samples(picture) > 0)
         ground = groundOf(picture, TracedDrawer::GroundUse::known);
     const bool count = counting_ == Counting::all && !subject.options.comparison;
-    traced_.draw(
-        tracedScene_, around.texture,
-        {view, subject.window, picture, look.fidelity, look.fresnel, turn,
-         kFootprint / std::sqrt(samples), picture.splitGrazing && samples >= kSplitFrom, frames_,
-         centred(subject), firstHitsHelp(subject), lights_, emissionFactor, ground},
-        count ? Counting::all : Counting::none, kUnits,
-        {look.left, 0, look.right - look.left, subject.window.height});
+    traced_.draw(tracedScene_, around.texture,
+                 {view, subject.window, picture, look.fidelity, look.fresnel, turn,
+                  transport::kSampleFootprint / std::sqrt(samples),
+                  picture.splitGrazing && samples >= kSplitFrom, frames_, centred(subject),
+                  firstHitsHelp(subject), lights_, emissionFactor, ground},
+                 count ? Counting::all : Counting::none, kUnits,
+                 {look.left, 0, look.right - look.left, subject.window.height});
 }
 
 std::optional<TracedDrawer::Ground> Renderer::groundOf(const RenderOptions& picture,
@@ -369,13 +366,13 @@ void Renderer::gatherGroundLight(const Camera& camera, const FrameOptions& optio
     glDisable(GL_SCISSOR_TEST);
     groundLight_.bindNext();
     setState(false);
-    traced_.draw(
-        tracedScene_, around.texture,
-        {viewOf(camera, kAll, glm::vec2(0.0f), bounds_), kAll, picture, picture.fidelity,
-         picture.fresnel, environmentFromWorld(picture.environmentRotation),
-         kFootprint / std::sqrt(static_cast<float>(GroundLight::kEnough)), false, samples, false,
-         false, lights_, 1.0f / radiancePerUnit(picture.environmentIntensity), ground},
-        Counting::none, kUnits, {0, 0, kSize, kSize});
+    traced_.draw(tracedScene_, around.texture,
+                 {viewOf(camera, kAll, glm::vec2(0.0f), bounds_), kAll, picture, picture.fidelity,
+                  picture.fresnel, environmentFromWorld(picture.environmentRotation),
+                  transport::kSampleFootprint / std::sqrt(static_cast<float>(GroundLight::kEnough)),
+                  false, samples, false, false, lights_,
+                  1.0f / radiancePerUnit(picture.environmentIntensity), ground},
+                 Counting::none, kUnits, {0, 0, kSize, kSize});
     groundLight_.count(picture);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     throwPendingErrors("gathering the light on the ground");

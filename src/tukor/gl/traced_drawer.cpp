@@ -18,8 +18,6 @@ namespace {
 // second; few pixels use their whole budget.
 constexpr int kRaysPerTile = 1 << 23;
 
-constexpr int kMostLookUps = 17;  // of one deposit, as in trace
-
 int tileSize(int rayBudget) {
     const float pixels = static_cast<float>(kRaysPerTile) / static_cast<float>(rayBudget);
     return std::clamp(static_cast<int>(std::sqrt(pixels)), 32, 4096);
@@ -116,7 +114,6 @@ void TracedDrawer::draw(TracedScene& scene, const EnvironmentTexture& environmen
     program.set("rayBudget", std::max(options.rayBudget, 1));
     program.set("maxDepth", std::max(options.maxDepth, 1));
     program.set("weightCutoff", options.weightCutoff);
-    program.set("mostLookUps", kMostLookUps);
 
     const int tile = tileSize(std::max(options.rayBudget, 1));
     glEnable(GL_SCISSOR_TEST);

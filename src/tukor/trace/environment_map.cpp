@@ -7,6 +7,7 @@
 #include "tukor/base/parallel.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/cube_texel.h"
+#include "tukor/transport/look_ups.h"
 
 namespace tukor::trace {
 
@@ -61,7 +62,8 @@ EnvironmentMap::EnvironmentMap(const Image& panorama, float rotation, float inte
     : EnvironmentMap(Form::panorama, rotation) {
     int width = panorama.width(), height = panorama.height();
     // At the horizon a pixel spans 2 pi / width, a cube's texel on average sqrt(4 pi / 6) / size.
-    equivalentFaceSize_ = std::max(1, static_cast<int>(0.2303f * static_cast<float>(width)));
+    equivalentFaceSize_ =
+        std::max(1, static_cast<int>(transport::kFaceOfPanorama * static_cast<float>(width)));
     addPanoramaLevel(panorama.pixels(), width, height, intensity);
     std::vector<glm::vec3> pixels;
     while (levels_.size() < kEnvironmentLevels && width >= 8 && height >= 4) {

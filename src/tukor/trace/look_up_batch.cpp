@@ -134,7 +134,8 @@ int EnvironmentMap::add(LookUpBatch& batch, glm::vec3 direction, float solidAngl
 
 int EnvironmentMap::add(LookUpBatch& batch, glm::vec3 direction, glm::vec3 dx, glm::vec3 dy,
                         int mostLookUps) const noexcept {
-    const float texelsPerRadian = 0.691f * static_cast<float>(equivalentFaceSize_);
+    const float texelsPerRadian =
+        transport::kTexelsPerRadian * static_cast<float>(equivalentFaceSize_);
     const transport::LookUps l = transport::lookUpsOver(dx, dy, texelsPerRadian, mostLookUps);
     const glm::vec3 stepX = turned(l.stepX), stepY = turned(l.stepY);
     const glm::vec3 first = turned(direction + l.first);

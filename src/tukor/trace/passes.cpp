@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tukor/base/parallel.h"
+#include "tukor/transport/look_ups.h"
 #include "tukor/transport/sampler.h"
 
 namespace tukor::trace {
@@ -14,9 +15,6 @@ constexpr int kTile = 16;
 // Camera samples traced together: a tile at 16 samples a pixel; keeps the sums of longer passes in
 // the cache.
 constexpr std::size_t kBatch = 4096;
-// Of the distance of neighbouring samples: at 1 the picture is blurred by what samples overlap,
-// more than the error estimate can see; below 0.5 samples miss what lies between them.
-constexpr float kFootprint = 0.7f;
 
 }  // namespace
 
@@ -104,7 +102,7 @@ void Passes::tile(int number) {
         // Pictures of fixed samples are as sharp as these allow; otherwise at least as four do.
         const std::uint32_t density =
             goals_.error || goals_.timeSeconds ? std::max(job.to, 4u) : goals_.samples;
-        const float width = kFootprint / std::sqrt(static_cast<float>(density));
+        const float width = transport::kSampleFootprint / std::sqrt(static_cast<float>(density));
         for (std::uint32_t s = job.from; s < job.to; ++s) {
             const transport::PixelPart part =
                 goals_.samples == 1 ? transport::PixelPart{glm::vec2(0.5f), glm::vec2(width)}

@@ -30,8 +30,6 @@ constexpr float kTrusted = 0.06f;
 // What is so many times as bright as white, on the mean over a wide footprint, comes of a lamp.
 constexpr float kLamp = 16.0f;
 
-constexpr int kMostLookUps = 17;  // of one deposit: more cost more than a ray
-
 // Of so many samples one may be faulty, and one more, for it to come of rounding.
 constexpr std::size_t kSamplesPerFault = 256;
 
@@ -106,7 +104,7 @@ void PathPool::castCameraRays() {
 [[gnu::noinline]] void PathPool::collect(const CameraSample& sample,
                                          const transport::Deposit& deposit) noexcept {
     const int most =
-        transport::lookUpsWorth(transport::heaviness(deposit.throughput), kMostLookUps);
+        transport::lookUpsWorth(transport::heaviness(deposit.throughput), transport::kMostLookUps);
     if (lookUps_.room() < most) settle();
     const int lookUps = frame_.environment.add(lookUps_, deposit.direction, deposit.directionX,
                                                deposit.directionY, most);

@@ -18,6 +18,20 @@ struct LookUps {
 /// Radians: linear extrapolation of directions means nothing over more.
 TUKOR_CONST float kWidestFootprint = 0.5f;
 
+/// Of one deposit: more cost more than a ray.
+TUKOR_CONST int kMostLookUps = 17;
+
+/// How wide a sample looks, of its distance from its neighbours: at 1 the picture is blurred by
+/// what samples overlap, more than an error estimate can see; below 0.5 they miss what lies between
+/// them.
+TUKOR_CONST float kSampleFootprint = 0.7f;
+
+/// Of a cube map, on the mean over the sphere, over its face size: sqrt(6 / 4 pi).
+TUKOR_CONST float kTexelsPerRadian = 0.691f;
+
+/// The face size of a cube map with as many texels as a panorama, over its width: 1 / sqrt(6 pi).
+TUKOR_CONST float kFaceOfPanorama = 0.2303f;
+
 /// At most `most` look-ups for a footprint that `dx` and `dy` span, in an environment of
 /// `texelsPerRadian`; one, sharp, where differentials broke down in NaN or overflow.
 TUKOR_FN LookUps lookUpsOver(vec3 dx, vec3 dy, float texelsPerRadian, int most) {

@@ -91,7 +91,7 @@ FinishLook finishLook(uint kind, int part, BvhHit found, SurfaceHit hit, Encount
     vec3 F0 = min(edge.rgb, vec3(1.0)) * figures.z;
     float c1 = clamp(met.face.cosThetaI, 0.0, 1.0);
     NormalChange change = normalChangeOver(at.footprint, hit, met.face);
-    float texels = 0.691 * float(environmentFaceSize);
+    float texels = kTexelsPerRadian * float(environmentFaceSize);
     float spread = sqrt(footprintSolidAngle(reflectedFootprint(at.footprint, change, met.face, at.direction)));
     float level = log2(clamp(spread * texels, 1.0, 16.0));
 

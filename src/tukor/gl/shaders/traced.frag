@@ -108,7 +108,6 @@ Branch catchingRay(Branch at, vec2 u) {
 
 uniform int rayBudget;
 uniform int maxDepth;
-uniform int mostLookUps;  // that one deposit is worth
 uniform float weightCutoff;
 uniform uint frame;
 uniform bool splitGrazing;  // see grazing.h
@@ -234,7 +233,7 @@ Medium mediumAt(int number) {
 vec3 radianceOf(Deposit deposit) {
     vec3 d = environmentFromWorld * deposit.direction;
     LookUps l = lookUpsOver(environmentFromWorld * deposit.directionX, environmentFromWorld * deposit.directionY,
-                            0.691 * float(environmentFaceSize), lookUpsWorth(heaviness(deposit.throughput), mostLookUps));
+                            kTexelsPerRadian * float(environmentFaceSize), lookUpsWorth(heaviness(deposit.throughput), kMostLookUps));
     vec3 sum = vec3(0.0);
     for (int j = 0; j < l.down; j++)
         for (int i = 0; i < l.across; i++)
