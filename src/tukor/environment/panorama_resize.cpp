@@ -284,12 +284,13 @@ std::vector<char> widened(const std::vector<char>& marked, int width, int height
     return all;
 }
 
-/// Where no panorama gives what is given, steps overshoot, and lose or make light: dark and bright
-/// rims around lamps. There, and `rows` around, where the light of these lies, pixels become those
-/// of `calm`, and leave the range of `means` around them by at most a quarter: below, and where
-/// these are alike, above. `missed`: by how much what is given is missed.
-void calmDown(Image& panorama, const Image& calm, const Image& means, const Image& missed,
-              int rows) {
+/// Where no panorama gives what is given, steps overshoot: they lose or make the light of lamps, and
+/// draw dark and bright rims around them. At the former and `rows` around, where their light lies,
+/// and, but for `lampsAlone`, at the latter pixels become those of `calm`, and leave the range of
+/// `means` around them by at most a quarter: below, and where these are alike, above. `missed`: by
+/// how much what is given is missed.
+void calmDown(Image& panorama, const Image& calm, const Image& means, const Image& missed, int rows,
+              bool lampsAlone) {
     constexpr float kMostMissed = 0.2f;
     const int width = panorama.width(), height = panorama.height();
     const auto forAll = [&](auto&& pixel) {
@@ -301,15 +302,17 @@ void calmDown(Image& panorama, const Image& calm, const Image& means, const Imag
                               static_cast<std::size_t>(column));
         });
     };
+    const auto misses = [&](int column, int row, glm::vec3 level) {
+        return glm::any(glm::greaterThan(missed.at(column, row), kMostMissed * level));
+    };
     std::vector<char> marked(panorama.pixels().size());
     forAll([&](int column, int row, std::size_t i) {
-        const glm::vec3 least = rangeAround(means, column, row).least;
-        marked[i] = glm::any(glm::greaterThan(missed.at(column, row), kMostMissed * least));
+        marked[i] = misses(column, row, rangeAround(means, column, row).most);
     });
     marked = widened(marked, width, height, rows);
     forAll([&](int column, int row, std::size_t i) {
-        if (!marked[i]) return;
         const auto [least, most] = rangeAround(means, column, row);
+        if (!marked[i] && (lampsAlone || !misses(column, row, least))) return;
         glm::vec3& pixel = panorama.at(column, row);
         pixel = glm::max(calm.at(column, row), 0.75f * least);
         for (int c = 0; c < 3; ++c)
@@ -399,7 +402,8 @@ Image panoramaWithMeansOf(const CubeMap& cube, int width, const Progress& progre
     const int rows =
         static_cast<int>(std::ceil(2.0f * std::max(density / static_cast<float>(size), 1.0f)));
     calmDown(panorama, calm, means,
-             meansOf(compared(panorama, apart), width, 2, partOf(progress, 0.9f, 1.0f)), rows);
+             meansOf(compared(panorama, apart), width, 2, partOf(progress, 0.9f, 1.0f)), rows,
+             coarse);
     return panorama;
 }
 
