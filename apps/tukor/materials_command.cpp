@@ -72,6 +72,7 @@ void printJson() {
         if (material.kind == MaterialKind::metal) one["k"] = list(material.k);
         if (material.kind == MaterialKind::dielectric) {
             one["sigmaA"] = list(material.sigmaA);
+            if (material.colourSize > 0.0f) one["colourSize"] = material.colourSize;
             one["priority"] = material.priority;
             if (row.abbe > 0.0f) one["abbe"] = std::stod(textFromValue(row.abbe));
         }
@@ -86,14 +87,14 @@ void printJson() {
 
 Command materialsCommand() {
     auto json = std::make_shared<bool>(false);
-    return {
-        .name = "materials",
-        .help = "the named materials, their figures and sources",
-        .options = {flagOption("--json", *json, "as JSON: eta and k for R, G, B, sigmaA in 1/m")},
-        .run = [json] {
-            *json ? printJson() : printTable();
-            return 0;
-        }};
+    return {.name = "materials",
+            .help = "the named materials, their figures and sources",
+            .options = {flagOption(
+                "--json", *json, "as JSON: eta and k for R, G, B, sigmaA in 1/m, colourSize in m")},
+            .run = [json] {
+                *json ? printJson() : printTable();
+                return 0;
+            }};
 }
 
 }  // namespace tukor

@@ -21,6 +21,8 @@ struct Material {
     glm::vec3 eta{1.5f};      // index for R, G, B against vacuum; a dielectric has all three alike
     glm::vec3 k{0.0f};        // extinction for R, G, B, >= 0; metals only
     glm::vec3 sigmaA{0.0f};   // absorption inside a dielectric, 1/m, >= 0
+    float colourSize = 0.0f;  // m across of what sigmaA was chosen for: what has another size
+                              // absorbs as much on the whole; 0: sigmaA is what it is
     float dispersion = 0.0f;  // of a dielectric, 20 over Abbe's number; 0: none
     int priority = 0;  // where dielectrics overlap, the highest priority is the one that is there
 

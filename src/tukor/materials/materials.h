@@ -24,6 +24,7 @@ struct MaterialFigures {
     glm::vec3 first;         // tint of a mirror, eta of the others
     glm::vec3 second{0.0f};  // k of a metal, sigmaA of a dielectric
     int priority = 0;
+    float colourSize = 0.0f;
 };
 
 /// One row of the table that `tukor materials` prints.

@@ -13,7 +13,8 @@ namespace {
 constexpr std::string_view kLecture = "[Szécsi, lecture 10]";
 constexpr std::string_view kNoble = "[Johnson & Christy 1972]";
 constexpr std::string_view kTransition = "[Johnson & Christy 1974]";
-constexpr std::string_view kByEye = "index [Anderson 1990]; colour by eye, for objects 2 m across";
+constexpr std::string_view kByEye =
+    "index [Anderson 1990]; colour by eye at 2 m across, fitted to the size of the part";
 constexpr std::string_view kRgb = "650, 550, 450";
 constexpr std::string_view kSodium = "589.3";
 
@@ -32,6 +33,11 @@ constexpr MaterialFigures solid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f),
 
 constexpr MaterialFigures liquid(float eta, glm::vec3 sigmaA = glm::vec3(0.0f)) {
     return solid(eta, sigmaA, kLiquidPriority);
+}
+
+// Of objects 2 m across, as the built-in shapes are.
+constexpr MaterialFigures coloured(float eta, glm::vec3 sigmaA) {
+    return {MaterialKind::dielectric, glm::vec3(eta), sigmaA, kSolidPriority, 2.0f};
 }
 
 constexpr std::array kRows = {
@@ -97,14 +103,16 @@ constexpr std::array kRows = {
     NamedMaterial{"air", "air, for bubbles: displaces whatever surrounds it",
                   solid(1.000277f, glm::vec3(0.0f), kBubblePriority), kSodium, "[Ciddor 1996]"},
 
-    NamedMaterial{"ruby", "red corundum", solid(1.7682f, {0.15f, 3.0f, 2.4f}), kSodium, kByEye,
+    NamedMaterial{"ruby", "red corundum", coloured(1.7682f, {0.15f, 3.0f, 2.4f}), kSodium, kByEye,
                   72.3f},
-    NamedMaterial{"emerald", "green beryl", solid(1.579f, {2.2f, 0.25f, 1.4f}), kSodium, kByEye},
-    NamedMaterial{"amber", "amber", solid(1.540f, {0.15f, 0.75f, 3.0f}), kSodium, kByEye},
-    NamedMaterial{"green-glass", "bottle glass", solid(1.5233f, {1.2f, 0.2f, 0.9f}), kSodium,
-                  "index [Rubin 1985]; colour by eye, for objects 2 m across"},
-    NamedMaterial{"blue-glass", "cobalt glass", solid(1.5233f, {2.5f, 1.4f, 0.1f}), kSodium,
-                  "index [Rubin 1985]; colour by eye, for objects 2 m across"},
+    NamedMaterial{"emerald", "green beryl", coloured(1.579f, {2.2f, 0.25f, 1.4f}), kSodium, kByEye},
+    NamedMaterial{"amber", "amber", coloured(1.540f, {0.15f, 0.75f, 3.0f}), kSodium, kByEye},
+    NamedMaterial{
+        "green-glass", "bottle glass", coloured(1.5233f, {1.2f, 0.2f, 0.9f}), kSodium,
+        "index [Rubin 1985]; colour by eye at 2 m across, fitted to the size of the part"},
+    NamedMaterial{
+        "blue-glass", "cobalt glass", coloured(1.5233f, {2.5f, 1.4f, 0.1f}), kSodium,
+        "index [Rubin 1985]; colour by eye at 2 m across, fitted to the size of the part"},
 };
 
 constexpr auto kTable = [] {
@@ -148,7 +156,9 @@ Material NamedMaterial::material() const noexcept {
         case MaterialKind::dielectric:
             break;
     }
-    return dielectricMaterial(figures.first.x, figures.second, figures.priority);
+    Material material = dielectricMaterial(figures.first.x, figures.second, figures.priority);
+    material.colourSize = figures.colourSize;
+    return material;
 }
 
 float abbeNumberOf(const Material& material) noexcept {

@@ -21,6 +21,17 @@ bool disjoint(const Bounds& a, const Bounds& b) {
     return glm::any(glm::lessThan(a.most, b.least)) || glm::any(glm::lessThan(b.most, a.least));
 }
 
+/// By what its absorption has to be multiplied.
+float colourScale(const Material& material, const std::vector<Bounds>& bounds) {
+    if (material.colourSize == 0.0f) return 1.0f;
+    float size = 0.0f;
+    for (const Bounds& one : bounds) {
+        const glm::vec3 extent = one.most - one.least;
+        size = std::max({size, extent.x, extent.y, extent.z});
+    }
+    return material.colourSize / std::max(size, 1e-9f);
+}
+
 enum class Sharing { never, whereDisjoint, always };
 
 std::vector<Group> grouped(const Scene& scene, const std::vector<std::size_t>& dielectrics,
@@ -79,7 +90,8 @@ MediaTable mediaOf(const Scene& scene) {
             table.mediumOfPart[part] = static_cast<int>(table.media.size());
         }
         const Material& material = scene.parts[groups[group].parts.front()].material;
-        table.media.push_back({material.eta.x, material.sigmaA, material.dispersion});
+        const float scale = colourScale(material, groups[group].bounds);
+        table.media.push_back({material.eta.x, scale * material.sigmaA, material.dispersion});
     }
     return table;
 }

@@ -6,7 +6,8 @@
 
 namespace tukor {
 
-/// Index and absorption of a clear medium.
+/// Index and absorption of a clear medium; that of materials with a colourSize is fitted to the
+/// largest part that it fills.
 struct DielectricMedium {
     float eta = 1.0f;         // against vacuum
     glm::vec3 sigmaA{0.0f};   // 1/m

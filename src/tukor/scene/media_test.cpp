@@ -34,6 +34,24 @@ TEST(Media, AreSharedOnlyWhenThereAreTooMany) {
     EXPECT_EQ(mediaOf(scene).media.size(), 2u) << "two of them overlap";
 }
 
+TEST(Media, AreAsDeeplyColouredInAnySize) {
+    Scene scene;
+    scene.parts = {solid(0, 1.5f, 0), solid(3, 1.5f, 0)};
+    for (Part& part : scene.parts) {
+        part.material.sigmaA = glm::vec3(1, 2, 3);
+        part.material.colourSize = 2.0f;
+    }
+    for (glm::vec3& p : scene.parts[1].mesh.positions) p *= 0.005f;
+    const MediaTable table = mediaOf(scene);
+    const auto mediumOf = [&](std::size_t part) {
+        return table.media[static_cast<std::size_t>(table.mediumOfPart[part])];
+    };
+    EXPECT_EQ(mediumOf(0).sigmaA, 2.0f * glm::vec3(1, 2, 3)) << "1 m across";
+    EXPECT_LT(glm::distance(mediumOf(1).sigmaA, 400.0f * glm::vec3(1, 2, 3)), 0.1f) << "5 mm";
+    scene.parts[1].material.colourSize = 0.0f;
+    EXPECT_EQ(mediaOf(scene).media[0].sigmaA, glm::vec3(1, 2, 3)) << "as it is";
+}
+
 TEST(Media, SayWhenTheyCannotBeToldApart) {
     Scene scene;
     for (int i = 0; i < 33; ++i) scene.parts.push_back(solid(0, 1.1f + 0.01f * float(i), 0));
