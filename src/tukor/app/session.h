@@ -38,7 +38,8 @@ public:
     /// What the model and environment files ask for and do not get; one sentence each.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
-    /// Counts up whenever the geometry, the lights or the environment are others, or finishes appear.
+    /// Counts up whenever the geometry, the lights or the environment are others, or finishes
+    /// appear.
     [[nodiscard]] std::uint64_t sceneRevision() const noexcept { return sceneRevision_; }
     [[nodiscard]] std::uint64_t environmentRevision() const noexcept {
         return environmentRevision_;

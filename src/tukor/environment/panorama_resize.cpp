@@ -284,11 +284,11 @@ std::vector<char> widened(const std::vector<char>& marked, int width, int height
     return all;
 }
 
-/// Where no panorama gives what is given, steps overshoot: they lose or make the light of lamps, and
-/// draw dark and bright rims around them. At the former and `rows` around, where their light lies,
-/// and, but for `lampsAlone`, at the latter pixels become those of `calm`, and leave the range of
-/// `means` around them by at most a quarter: below, and where these are alike, above. `missed`: by
-/// how much what is given is missed.
+/// Where no panorama gives what is given, steps overshoot: they lose or make the light of lamps,
+/// and draw dark and bright rims around them. At the former and `rows` around, where their light
+/// lies, and, but for `lampsAlone`, at the latter pixels become those of `calm`, and leave the
+/// range of `means` around them by at most a quarter: below, and where these are alike, above.
+/// `missed`: by how much what is given is missed.
 void calmDown(Image& panorama, const Image& calm, const Image& means, const Image& missed, int rows,
               bool lampsAlone) {
     constexpr float kMostMissed = 0.2f;
