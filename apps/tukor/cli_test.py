@@ -160,6 +160,9 @@ def test_render_errors(folder):
     fails("render", "sphere", "--environment", "none.hdr", *out, says="none.hdr")
     fails("render", "sphere", "--environment", "stdio", *out, says="stdio")
     fails("render", "sphere", "--camera", "front", *out, says="camera 'front': the model has no cameras")
+    fails("render", "sphere", "--variant", "red", *out, says="variant 'red': the model has no variants")
+    fails("render", "sphere", "--animation", "walk", *out, says="animation 'walk': the model has no animations")
+    fails("render", "sphere", "--time-seconds", "1", *out, says="time-seconds 1: the model has no animations")
     fails("render", "sphere", "--eye", "1,2,3", "--target", "1,2,3", *out, says="eye and target are both 1,2,3")
     fails("render", "sphere", "--up", "0,0,0", *out, says="up is 0,0,0")
     for name, content in (("a.obj", b"not a model"), ("b.glb", b"glTF\2\0\0\0"), ("c.stl", b""), ("d.ply", b"ply\n")):

@@ -109,12 +109,7 @@ void Panel::showSubject(const Session& session, SessionOptions& wanted) {
     }
     std::optional<std::string> model = choose("model", current, shapeNames());
     if (entered("model file", "or drop one here", modelText_)) model = modelText_;
-    if (model) {
-        wanted.subject.models = {*model};
-        std::erase_if(wanted.subject.materials,  // patterns are about the parts of the old model
-                      [](const std::string& text) { return text.find('=') != text.npos; });
-        wanted.camera = {};
-    }
+    if (model) wanted = withModels(std::move(wanted), {*model});
     std::vector<std::string> cameras;
     for (const NamedCamera& camera : session.scene().cameras) cameras.push_back(camera.name);
     if (!cameras.empty()) {

@@ -14,20 +14,63 @@
 #include "tukor/base/parallel.h"
 #include "tukor/scene/assign_materials.h"
 #include "tukor/scene/model_file.h"
+#include "tukor/scene/sibling_file.h"
 
 namespace tukor {
 namespace {
 
+enum class Naming { byName, byNumberToo };
+
+bool isAmong(const std::vector<std::string>& names, const std::string& name, Naming naming) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+    for (std::size_t i = 0; naming == Naming::byNumberToo && i < names.size(); ++i) {
+        if (fmt::format("{}", i) == name) return true;
+    }
+    return false;
+}
+
+/// What each model is asked: a name of one model need not be known to the others, but to one.
+std::vector<ModelOptions> modelOptions(const SubjectOptions& subject) {
+    std::vector<ModelOptions> all(subject.models.size());
+    if (subject.variant.empty() && subject.animation.empty() && !subject.timeSeconds) return all;
+    bool variantKnown = subject.variant.empty();
+    bool animationKnown = subject.animation.empty();
+    std::vector<std::string> variants, animations;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const ModelChoices choices = choicesOf(subject.models[i]);
+        for (const std::string& name : choices.variants) variants.push_back(printable(name));
+        for (const std::string& name : choices.animations) animations.push_back(printable(name));
+        if (isAmong(choices.variants, subject.variant, Naming::byName)) {
+            all[i].variant = subject.variant;
+            variantKnown = true;
+        }
+        const bool moves = subject.animation.empty() ||
+                           isAmong(choices.animations, subject.animation, Naming::byNumberToo);
+        animationKnown = animationKnown || moves;
+        if (!moves) continue;
+        all[i].animation = subject.animation;
+        if (subject.timeSeconds) all[i].timeSeconds = *subject.timeSeconds;
+    }
+    const auto views = [](const std::vector<std::string>& names) {
+        return std::vector<std::string_view>(names.begin(), names.end());
+    };
+    if (!variantKnown) throw Error(unknownInModel("variant", subject.variant, views(variants)));
+    if (!animationKnown)
+        throw Error(unknownInModel("animation", subject.animation, views(animations)));
+    if (subject.timeSeconds && animations.empty())
+        throw Error(
+            fmt::format("time-seconds {}: the model has no animations (those of glTF "
+                        "are shown)",
+                        *subject.timeSeconds));
+    return all;
+}
+
 Scene loadModels(const SubjectOptions& subject) {
-    const std::vector<std::string>& models = subject.models;
-    if (models.empty()) throw Error("no model; a file or a built-in shape expected");
+    if (subject.models.empty()) throw Error("no model; a file or a built-in shape expected");
+    const std::vector<ModelOptions> options = modelOptions(subject);
     Scene scene;
-    for (const std::string& model : models) {
-        ModelOptions options;
-        options.variant = subject.variant;
-        options.animation = subject.animation;
-        if (subject.timeSeconds) options.timeSeconds = *subject.timeSeconds;
-        append(scene, loadModel(model, options));
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        append(scene, loadModel(subject.models[i], options[i]));
     }
     return scene;
 }
@@ -49,8 +92,7 @@ const Camera& namedCamera(const Scene& scene, const std::string& name) {
         if (candidate.name == name) return candidate.camera;
         known.emplace_back(candidate.name);
     }
-    if (known.empty()) throw Error(fmt::format("camera '{}': the model has no cameras", name));
-    throw Error("camera " + unknownName(name, known));
+    throw Error(unknownInModel("camera", name, known));
 }
 
 /// Frames the scene whatever the field of view: the distance grows as the view narrows.
@@ -67,6 +109,15 @@ Camera framing(const Scene& scene, float aspect, const std::optional<float>& fov
 }
 
 }  // namespace
+
+SessionOptions withModels(SessionOptions options, std::vector<std::string> models) {
+    const std::optional<float> dispersion = options.subject.dispersion;
+    options.subject = {};
+    options.subject.models = std::move(models);
+    options.subject.dispersion = dispersion;
+    options.camera = {};
+    return options;
+}
 
 Camera cameraFromOptions(const CameraOptions& options, const Scene& scene, PictureSize size) {
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);

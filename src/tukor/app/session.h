@@ -57,6 +57,10 @@ private:
     std::uint64_t environmentRevision_ = 0;
 };
 
+/// The options with other models, and without what was about the old ones: materials, variant,
+/// animation and its moment, camera.
+[[nodiscard]] SessionOptions withModels(SessionOptions options, std::vector<std::string> models);
+
 /// The camera that the options describe for a scene. Throws Error on an unknown camera name and
 /// where eye and target coincide.
 [[nodiscard]] Camera cameraFromOptions(const CameraOptions& options, const Scene& scene,

@@ -1,6 +1,6 @@
 #include "tukor/app/session.h"
 
-#include <functional>
+#include <fstream>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -9,20 +9,13 @@
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
 #include "tukor/base/test_folder.h"
+#include "tukor/scene/gltf_test_file.h"
 
 namespace tukor {
 namespace {
 
+using test::messageOf;
 using testing::HasSubstr;
-
-std::string messageOf(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 TEST(LightFromText, ComesFromWhereItSays) {
     const Light light = lightFromText("0,2,0/1,0.5,0");
@@ -45,6 +38,66 @@ TEST(GroundFromText, LiesUnderTheModelOrWhereItSays) {
     EXPECT_EQ(groundFromText("0.5", scene), 0.5f);
     EXPECT_THAT(messageOf([&] { (void)groundFromText("low", scene); }),
                 HasSubstr("expected a height in metres, or lowest"));
+}
+
+TEST(WithModels, KeepsNothingThatWasAboutTheOldOnes) {
+    SessionOptions options;
+    options.subject = {{"a.glb"}, {"gold", "lid=glass"}, "red", "walk", 2.0f, 0.5f};
+    options.camera.camera = "front";
+    options.light.environment = "sky";
+    const SessionOptions other = withModels(options, {"b.glb"});
+    SubjectOptions expected;
+    expected.models = {"b.glb"};
+    expected.dispersion = 0.5f;
+    EXPECT_EQ(other.subject, expected);
+    EXPECT_EQ(other.camera, CameraOptions{});
+    EXPECT_EQ(other.light, options.light);
+}
+
+/// A file of the tetrahedron with other members; its path.
+std::string writeTetrahedron(const TestFolder& folder, const std::string& name,
+                             const std::string& more) {
+    const std::string path = folder.path(name);
+    std::ofstream(path) << test::tetrahedron(test::kOneMesh + (more.empty() ? "" : ", ") + more);
+    return path;
+}
+
+TEST(Session, WantsAVariantAndAnAnimationToBeKnownToOneModel) {
+    const TestFolder folder;
+    SessionOptions options;
+    options.light.faceSize = 8;
+    options.subject.models = {
+        writeTetrahedron(folder, "plain.gltf", ""),
+        writeTetrahedron(folder, "rich.gltf", R"("extensions": {"KHR_materials_variants":
+            {"variants": [{"name": "day"}, {"name": "night"}]}}, "animations": [
+            {"name": "walk", "samplers": [], "channels": []}])")};
+    const auto with = [&](const SubjectOptions& subject) {
+        SessionOptions changed = options;
+        changed.subject = subject;
+        return messageOf([&] { (void)Session(changed); });
+    };
+    SubjectOptions both = options.subject;
+    both.variant = "night";
+    both.animation = "walk";
+    both.timeSeconds = 1.0f;
+    EXPECT_EQ(with(both), "no error");
+    both.animation = "0";
+    EXPECT_EQ(with(both), "no error");
+    both.animation = "1";
+    EXPECT_THAT(with(both), HasSubstr("animation '1' is unknown; known are: walk"));
+    both.variant = "nigth";
+    EXPECT_EQ(with(both), "variant 'nigth' is unknown; did you mean night? known are: day, night");
+
+    SubjectOptions sphere;
+    sphere.models = {"sphere"};
+    sphere.variant = "day";
+    EXPECT_EQ(with(sphere), "variant 'day': the model has no variants");
+    sphere.variant.clear();
+    sphere.animation = "walk";
+    EXPECT_EQ(with(sphere), "animation 'walk': the model has no animations");
+    sphere.animation.clear();
+    sphere.timeSeconds = 1.0f;
+    EXPECT_THAT(with(sphere), HasSubstr("time-seconds 1: the model has no animations"));
 }
 
 TEST(Session, AddsLightsAndDispersionToTheModels) {

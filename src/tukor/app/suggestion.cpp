@@ -13,4 +13,11 @@ std::string unknownName(std::string_view name, std::span<const std::string_view>
                        fmt::join(known, ", "));
 }
 
+std::string unknownInModel(std::string_view kind, std::string_view name,
+                           std::span<const std::string_view> known) {
+    if (known.empty())
+        return fmt::format("{} '{}': the model has no {}s", kind, name.substr(0, 60), kind);
+    return fmt::format("{} {}", kind, unknownName(name, known));
+}
+
 }  // namespace tukor

@@ -10,4 +10,9 @@ namespace tukor {
 [[nodiscard]] std::string unknownName(std::string_view name,
                                       std::span<const std::string_view> known);
 
+/// The same about a name that models give: `camera 'frnt' is unknown; did you mean front? ...`, or
+/// `camera 'front': the model has no cameras`.
+[[nodiscard]] std::string unknownInModel(std::string_view kind, std::string_view name,
+                                         std::span<const std::string_view> known);
+
 }  // namespace tukor

@@ -224,4 +224,13 @@ Scene loadGltf(const std::filesystem::path& path, std::span<const std::byte> byt
     return Reader(document, options).read();
 }
 
+ModelChoices gltfChoices(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    const GltfDocument document(path, bytes);
+    ModelChoices choices;
+    choices.variants = variantsOf(document);
+    for (const JsonItem animation : document.root().list("animations"))
+        choices.animations.emplace_back(animation.textOr("name", ""));
+    return choices;
+}
+
 }  // namespace tukor

@@ -17,4 +17,8 @@ namespace tukor {
 [[nodiscard]] Scene loadGltf(const std::filesystem::path& path, std::span<const std::byte> bytes,
                              const ModelOptions& options = {});
 
+/// The looks and animations that such a file offers. Throws Error.
+[[nodiscard]] ModelChoices gltfChoices(const std::filesystem::path& path,
+                                       std::span<const std::byte> bytes);
+
 }  // namespace tukor

@@ -1,5 +1,6 @@
 #include "tukor/scene/gltf_variants.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -20,17 +21,23 @@ std::optional<JsonItem> extensionOf(const JsonItem& item) {
 
 }  // namespace
 
+std::vector<std::string> variantsOf(const GltfDocument& document) {
+    std::vector<std::string> names;
+    if (const std::optional<JsonItem> extension = extensionOf(document.root()))
+        for (const JsonItem variant : extension->list("variants"))
+            names.emplace_back(variant.textOr("name", ""));
+    return names;
+}
+
 std::optional<std::size_t> variantOf(const GltfDocument& document, std::string_view name) {
     if (name.empty()) return std::nullopt;
-    std::vector<std::string> known;
-    if (const std::optional<JsonItem> extension = extensionOf(document.root()))
-        for (const JsonItem variant : extension->list("variants")) {
-            known.push_back(printable(variant.textOr("name", "")));
-            if (variant.textOr("name", "") == name) return known.size() - 1;
-        }
+    std::vector<std::string> known = variantsOf(document);
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (found != known.end()) return static_cast<std::size_t>(found - known.begin());
     if (known.empty())
         throw Error(
             fmt::format("{}: no variant '{}': the model has no variants", document.name(), name));
+    for (std::string& one : known) one = printable(one);
     throw Error(fmt::format("{}: no variant '{}'; there are {}", document.name(), name,
                             fmt::join(known, ", ")));
 }

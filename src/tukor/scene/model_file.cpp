@@ -1,11 +1,13 @@
 #include "tukor/scene/model_file.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,43 +43,83 @@ bool startsWith(std::span<const std::byte> bytes, std::string_view text) noexcep
     return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
 }
 
-// By what the file begins with, where formats have a mark; else by its extension.
-Scene loadFile(const fs::path& path, std::span<const std::byte> bytes,
-               const ModelOptions& options) {
+enum class Format { gltf, ply, obj, stl, others };
+
+std::optional<Format> formatOfName(const fs::path& path) {
     const std::string extension = lowerExtension(path);
-    if (startsWith(bytes, "glTF") || extension == ".gltf" || extension == ".glb")
-        return loadGltf(path, bytes, options);
-    if (startsWith(bytes, "ply\n") || startsWith(bytes, "ply\r") || extension == ".ply")
-        return loadPly(path, bytes, options);
-    if (extension == ".obj") return loadObj(path, bytes, options);
-    if (extension == ".stl") return loadStl(path, bytes, options);
-    if (assimpReads(extension)) return loadThroughAssimp(path, bytes, options);
-    if (looksLikeGltf(bytes)) return loadGltf(path, bytes, options);
+    if (extension == ".gltf" || extension == ".glb") return Format::gltf;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".obj") return Format::obj;
+    if (extension == ".stl") return Format::stl;
+    if (assimpReads(extension)) return Format::others;
+    return std::nullopt;
+}
+
+// By what the file begins with, where formats have a mark; else by its extension.
+Format formatOf(const fs::path& path, std::span<const std::byte> bytes) {
+    if (startsWith(bytes, "glTF")) return Format::gltf;
+    if (startsWith(bytes, "ply\n") || startsWith(bytes, "ply\r")) return Format::ply;
+    if (const std::optional<Format> named = formatOfName(path)) return *named;
+    if (looksLikeGltf(bytes)) return Format::gltf;
     throw Error(
         fmt::format("{}: not a model of a known format; expected .gltf .glb .obj .ply .stl, "
                     "another that Assimp reads, or one of the shapes {}",
                     path.string(), fmt::join(shapeNames(), ", ")));
 }
 
+/// Whether a built-in shape is meant, not a file.
+bool meansShape(const std::string& nameOrPath) {
+    const fs::path path(nameOrPath);
+    if (path.has_parent_path() || path.has_extension()) return false;
+    const std::vector<std::string_view> shapes = shapeNames();
+    if (std::find(shapes.begin(), shapes.end(), nameOrPath) != shapes.end()) return true;
+#ifdef __EMSCRIPTEN__
+    constexpr bool there = false;  // files in memory have extensions
+#else
+    const bool there = fs::exists(path);
+#endif
+    if (!there)
+        throw Error(fmt::format("{}: no such model; expected a file or one of {}", nameOrPath,
+                                fmt::join(shapes, ", ")));
+    return false;
+}
+
+MappedFile opened(const std::string& path) {
+    MappedFile file(path);
+    if (file.bytes().empty()) throw Error(fmt::format("{}: an empty file", path));
+    return file;
+}
+
 }  // namespace
 
 Scene loadModel(const std::string& nameOrPath, const ModelOptions& options) {
+    if (meansShape(nameOrPath)) return sceneOf(*makeShape(nameOrPath), options);
+    const MappedFile file = opened(nameOrPath);
     const fs::path path(nameOrPath);
-    if (!path.has_parent_path() && !path.has_extension()) {
-        if (std::optional<std::vector<ShapePart>> shape = makeShape(nameOrPath))
-            return sceneOf(std::move(*shape), options);
-#ifdef __EMSCRIPTEN__
-        constexpr bool there = false;  // files in memory have extensions
-#else
-        const bool there = fs::exists(path);
-#endif
-        if (!there)
-            throw Error(fmt::format("{}: no such model; expected a file or one of {}", nameOrPath,
-                                    fmt::join(shapeNames(), ", ")));
+    switch (formatOf(path, file.bytes())) {
+        case Format::gltf:
+            return loadGltf(path, file.bytes(), options);
+        case Format::ply:
+            return loadPly(path, file.bytes(), options);
+        case Format::obj:
+            return loadObj(path, file.bytes(), options);
+        case Format::stl:
+            return loadStl(path, file.bytes(), options);
+        case Format::others:
+            break;
     }
-    const MappedFile file(path);
-    if (file.bytes().empty()) throw Error(fmt::format("{}: an empty file", nameOrPath));
-    return loadFile(path, file.bytes(), options);
+    return loadThroughAssimp(path, file.bytes(), options);
+}
+
+bool hasModelExtension(const fs::path& path) {
+    return formatOfName(path).has_value();
+}
+
+ModelChoices choicesOf(const std::string& nameOrPath) {
+    if (meansShape(nameOrPath)) return {};
+    const MappedFile file = opened(nameOrPath);
+    if (formatOf(nameOrPath, file.bytes()) != Format::gltf) return {};
+    return gltfChoices(nameOrPath, file.bytes());
 }
 
 }  // namespace tukor

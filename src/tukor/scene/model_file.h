@@ -1,8 +1,10 @@
 // Scenes from built-in shapes and model files, whatever their format.
 #pragma once
+#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tukor/scene/scene.h"
 
@@ -27,5 +29,17 @@ struct ModelOptions {
 /// by the file's first bytes, then by its extension. A file can name others beside or below itself
 /// but none elsewhere. Throws Error.
 [[nodiscard]] Scene loadModel(const std::string& nameOrPath, const ModelOptions& options = {});
+
+/// Whether the extension is that of a model: .gltf .glb .obj .ply .stl, or one that Assimp reads.
+[[nodiscard]] bool hasModelExtension(const std::filesystem::path& path);
+
+/// What ModelOptions can choose from, by name; an animation that has none is empty.
+struct ModelChoices {
+    std::vector<std::string> variants;
+    std::vector<std::string> animations;
+};
+
+/// Of a glTF file; of other models nothing. Throws Error, as loadModel does.
+[[nodiscard]] ModelChoices choicesOf(const std::string& nameOrPath);
 
 }  // namespace tukor
