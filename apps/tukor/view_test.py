@@ -201,6 +201,15 @@ def test_drops(folder):
     assert rmse(under_sky, wedge) > 5, "the dropped model does not show"
     words = copied_command(viewer)
     assert model in words and light in words, words
+    cube = os.path.join(folder, "cube.ktx2")
+    subprocess.run([PROGRAM, "environment", "convert", "studio", "-o", cube, "--size", "64"], check=True)
+    x11_drop.drop(int(viewer.window), cube)
+    assert rmse(wedge, viewer.picture()) > 5, "the dropped texture does not light"
+    words = copied_command(viewer)
+    assert words[2] == model and words[words.index("--environment") + 1] == cube and "gold" not in words, words
+    x11_drop.drop(int(viewer.window), os.path.join(folder, "wedge.mtl"), model, wedge)
+    time.sleep(1)
+    assert copied_command(viewer) == words, "a neighbour of the model was taken, too"
     junk = os.path.join(folder, "junk.glb")
     with open(junk, "wb") as file:
         file.write(b"glTF, says who?")

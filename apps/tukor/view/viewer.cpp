@@ -4,18 +4,17 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "tukor/app/drop.h"
 #include "tukor/app/option_table.h"
 #include "tukor/app/pace.h"
 #include "tukor/app/picture.h"
 #include "tukor/app/session.h"
 #include "tukor/base/error.h"
-#include "tukor/base/file.h"
 #include "tukor/gl/renderer.h"
 #include "view/hand.h"
 #include "view/notices.h"
@@ -140,20 +139,8 @@ private:
     }
 
     void takeDrops() {
-        static const std::set<std::string> kPictures = {".hdr", ".exr", ".png", ".jpg", ".jpeg"};
-        std::vector<std::string> models;
-        for (std::string& path : window_.takeDroppedFiles()) {
-            if (kPictures.count(lowerExtension(path)) != 0) {
-                wanted_.light.environment = std::move(path);
-            } else {
-                models.push_back(std::move(path));
-            }
-        }
-        if (models.empty()) return;
-        wanted_.subject.models = std::move(models);
-        std::erase_if(wanted_.subject.materials,
-                      [](const std::string& text) { return text.find('=') != text.npos; });
-        wanted_.camera = {};
+        const std::vector<std::string> files = window_.takeDroppedFiles();
+        if (!files.empty()) wanted_ = withDropped(std::move(wanted_), files);
     }
 
     /// Makes the session what is wanted; what cannot be had is said, and nothing is lost.
