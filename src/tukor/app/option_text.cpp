@@ -74,10 +74,10 @@ PictureSize valueFromText(ValueType<PictureSize>, const Measure<int>& measure,
     }
     const PictureSize size{wholeNumber(measure, text.substr(0, cross)),
                            wholeNumber(measure, text.substr(cross + 1))};
-    if (long(size.width) * long(size.height) > kMaxPixels) {
+    if (long(size.width) * long(size.height) > kMostPicturePixels) {
         throw Error(fmt::format(
             "{} x {} is {} million pixels; at most {} million expected", size.width, size.height,
-            long(size.width) * long(size.height) / 1'000'000, kMaxPixels / 1'000'000));
+            long(size.width) * long(size.height) / 1'000'000, kMostPicturePixels / 1'000'000));
     }
     return size;
 }

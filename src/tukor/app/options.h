@@ -42,7 +42,7 @@ struct PictureSize {
 };
 
 /// The largest picture in pixels: 1.2 GB of radiance.
-inline constexpr long kMaxPixels = 100'000'000;
+inline constexpr long kMostPicturePixels = 100'000'000;
 
 enum class Renderer { gl, trace };
 
