@@ -184,14 +184,13 @@ std::optional<float> groundFromText(std::string_view text, const Scene& scene) {
 }
 
 Session::Session(const SessionOptions& options, LookUps lookUps) : lookUps_(lookUps) {
+    // before anything is loaded, which is work for them, too
+    if (options.quality.threads) setThreadCount(*options.quality.threads);
     apply(options);
 }
 
 void Session::apply(const SessionOptions& options) {
     const bool first = !environment_;
-    if (options.quality.threads != options_.quality.threads) {
-        setThreadCount(options.quality.threads.value_or(0));
-    }
     std::optional<Scene> scene;
     std::optional<Environment> environment;
     std::vector<Material> own = ownMaterials_;
@@ -245,6 +244,9 @@ void Session::apply(const SessionOptions& options) {
     if (environment) {
         environment_ = std::move(environment);
         ++environmentRevision_;
+    }
+    if (options.quality.threads != options_.quality.threads) {
+        setThreadCount(options.quality.threads.value_or(0));
     }
     options_ = options;
 }

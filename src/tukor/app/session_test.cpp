@@ -8,6 +8,7 @@
 
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
+#include "tukor/base/parallel.h"
 #include "tukor/base/test_folder.h"
 #include "tukor/scene/gltf_test_file.h"
 
@@ -140,6 +141,54 @@ TEST(Session, HasAnotherSceneWhereFinishesAppear) {
     session.apply(options);
     EXPECT_NE(session.scene().parts[0].material.finish, nullptr);
     EXPECT_NE(session.sceneRevision(), golden);
+}
+
+TEST(Session, IsUnchangedWhereOptionsCannotBeHad) {
+    SessionOptions options;
+    options.subject.models = {"brilliant"};
+    options.light.faceSize = 8;
+    options.quality.threads = 1;
+    Session session(options);
+    const int threads = threadCount();
+    const Camera camera = session.camera();
+    const Material material = session.scene().parts[0].material;
+    const std::uint64_t revision = session.sceneRevision();
+    const std::uint64_t environment = session.environmentRevision();
+    const auto expectNothingChanged = [&](const SessionOptions& wrong) {
+        EXPECT_NE(messageOf([&] { session.apply(wrong); }), "no error");
+        EXPECT_EQ(session.options(), options);
+        EXPECT_EQ(threadCount(), threads);
+        EXPECT_EQ(session.camera(), camera);
+        EXPECT_EQ(session.scene().parts.size(), 1u);
+        EXPECT_EQ(session.scene().parts[0].material, material);
+        EXPECT_TRUE(session.scene().lights.empty());
+        EXPECT_EQ(session.sceneRevision(), revision);
+        EXPECT_EQ(session.environmentRevision(), environment);
+    };
+    SessionOptions other = options;
+    other.quality.threads = 2;
+    other.subject.materials = {"gold"};
+    other.light.environment = "sky";
+    other.light.lights = {"0,1,0"};
+    other.camera.eye = glm::vec3(1, 2, 3);
+    SessionOptions wrong = other;
+    wrong.subject.materials.emplace_back("glas");
+    expectNothingChanged(wrong);
+    wrong = other;
+    wrong.camera.target = wrong.camera.eye;
+    expectNothingChanged(wrong);
+    wrong = other;
+    wrong.subject.models = {"sphere", "none.obj"};
+    expectNothingChanged(wrong);
+    wrong = other;
+    wrong.light.environment = "nowhere";
+    expectNothingChanged(wrong);
+    wrong = other;
+    wrong.light.ground = "deep";
+    expectNothingChanged(wrong);
+    session.apply(other);
+    EXPECT_EQ(session.options(), other);
+    setThreadCount(0);
 }
 
 }  // namespace
