@@ -15,23 +15,37 @@ function suns(text) {
 /** What semicolons part. */
 export const lists = (text) => text.split(";").map((one) => one.trim()).filter(Boolean);
 
+const between = (least, most) => (text) => (number(text) >= least && number(text) <= most ? number(text) : null);
+
 /** With a figure: how it is read, in the library's unit, and the figure when there is none. */
 export const FIGURES = {
   "environment-rotation": [angle, 0],
-  "environment-intensity": [(text) => (number(text) >= 0 ? number(text) : null), 1],
+  "environment-intensity": [between(0, Infinity), 1],
   "max-depth": [(text) => (/^\d+$/.test(text) && text >= 1 && text <= 64 ? Number(text) : null), 64],
   exposure: [number, 0],
-  "background-blur": [(text) => (number(text) >= 0 && number(text) <= 1 ? number(text) : null), 0],
-  dispersion: [(text) => (number(text) >= 0 && number(text) <= 100 ? number(text) : null), -1], // as in the model
+  "background-blur": [between(0, 1), 0],
+  dispersion: [between(0, 100), -1], // as in the model
   ground: [(text) => (text.trim() === "lowest" ? -Infinity : number(text)), Infinity], // none
   light: [suns, []],
-  "time-seconds": [(text) => (number(text) >= 0 ? number(text) : null), -1], // none
+  "time-seconds": [between(0, Infinity), -1], // none
 };
 
 /** Of these the command says nothing, or something else. */
 export const PAGE_ONLY = ["light", "time-seconds", "ground"];
 
-export const CAMERA = ["camera-orbit", "camera-target", "field-of-view"];
+function fieldOfView(text) {
+  const fov = text === "auto" ? STANDARD_FOV : angle(text);
+  return fov > 0 && fov < Math.PI ? { fov } : null;
+}
+
+/** How they are read, what they are when there is none, and what is expected. */
+const VIEW = {
+  "camera-orbit": [orbit, "auto auto auto", 'three values such as "30deg 75deg 4m" or "auto 75deg 120%"'],
+  "camera-target": [point, "auto", 'auto or three lengths such as "0m 1m 0m"'],
+  "field-of-view": [fieldOfView, "auto", "an angle between 0deg and 180deg"],
+};
+
+export const CAMERA = Object.keys(VIEW);
 
 /** What its surfaces are made of. */
 export const MATERIALS = ["material", "dispersion"];
@@ -40,10 +54,10 @@ export const MATERIALS = ["material", "dispersion"];
 export const MODEL = ["src", "variant", "animation"];
 
 /** Of these the library is told at once. */
-export const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(FIGURES)].filter((name) => !MODEL.includes(name) && !MATERIALS.includes(name));
+export const OPTIONS = [...Object.keys(CHOICES), ...Object.keys(FIGURES)].filter((name) => !MATERIALS.includes(name));
 
 const FLAGS = ["auto-rotate", "autoplay", "camera-controls"];
-export const ATTRIBUTES = [...new Set([...OPTIONS, ...CAMERA, ...MODEL, ...MATERIALS, ...FLAGS, "environment", "alt", "poster", "loading", "reveal"])];
+export const ATTRIBUTES = [...OPTIONS, ...CAMERA, ...MODEL, ...MATERIALS, ...FLAGS, "environment", "alt", "poster", "loading", "reveal"];
 
 export function figureOf(element, name) {
   const [read, standard] = FIGURES[name];
@@ -55,20 +69,11 @@ export function figureOf(element, name) {
 
 /** What an attribute of the camera says, as OrbitCamera takes it. */
 export function cameraGoal(element, name, framing) {
+  const [read, standard, expected] = VIEW[name];
   const text = element.getAttribute(name);
-  if (name === "camera-orbit") {
-    const value = orbit(text ?? "auto auto auto", framing);
-    if (!value) throw new Error(`camera-orbit="${text}": expected three values such as "30deg 75deg 4m" or "auto 75deg 120%"`);
-    return value;
-  }
-  if (name === "camera-target") {
-    const target = point(text ?? "auto", framing);
-    if (!target) throw new Error(`camera-target="${text}": expected auto or three lengths such as "0m 1m 0m"`);
-    return { target };
-  }
-  const fov = text === null || text === "auto" ? STANDARD_FOV : angle(text);
-  if (!(fov > 0 && fov < Math.PI)) throw new Error(`field-of-view="${text}": expected an angle between 0deg and 180deg`);
-  return { fov };
+  const goal = read(text ?? standard, framing);
+  if (!goal) throw new Error(`${name}="${text}": expected ${expected}`);
+  return goal;
 }
 
 const PROPERTIES = {};

@@ -60,7 +60,7 @@ export declare class TukorView extends HTMLElement {
   exposure: string | null;
   /** none, reinhard, aces, agx or neutral. */
   toneMap: string | null;
-  /** "30deg 75deg 4m", each part may be auto, the last a percentage of the framing distance. */
+  /** "30deg 75deg 4m", each part may be auto, the last, which is above 0, a percentage of the framing distance. */
   cameraOrbit: string | null;
   cameraTarget: string | null;
   /** Vertical, "40deg". */

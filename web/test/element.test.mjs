@@ -70,6 +70,7 @@ test("what is not understood is said, and the picture stays", async () => {
   assert.match(await message(() => (window.view.fidelity = "best")), /^fidelity: .*'best'|best/);
   assert.equal(await message(() => (window.view.exposure = "bright")), 'exposure="bright": not understood');
   assert.match(await message(() => (window.view.cameraOrbit = "left")), /^camera-orbit="left": expected three values/);
+  assert.match(await message(() => (window.view.cameraOrbit = "0deg 90deg 0m")), /^camera-orbit="0deg 90deg 0m": expected three values/);
   assert.equal(await message(() => (window.view.src = "missing.glb")), "missing.glb: 404 Not Found");
   assert.equal(await message(() => (window.view.src = "cone")), "cone: no such model; expected a file or one of sphere, torus-knot, teapot, brilliant, tumbler, water, wine-glass, cube");
   assert.equal(await message(() => (window.view.src = "empty.glb")), "empty.glb: an empty file");
