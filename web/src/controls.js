@@ -3,32 +3,36 @@
 const TURN = Math.PI; // rad for a drag over the picture's height
 const KEY_TURN = Math.PI / 16;
 const KEY_ZOOM = 1.15;
+const KEYS = { // right, up, back
+  ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0], Home: [0, 0, 0], // as double-click
+  PageUp: [0, 0, -1], "+": [0, 0, -1], "=": [0, 0, -1], PageDown: [0, 0, 1], "-": [0, 0, 1],
+};
 
-/** Listens on `canvas` until `signal` aborts; `moved()` is called after every change of the camera's goal. */
+/** Listens on `canvas` until `signal` aborts; `moved(home)` is called after every change of the camera's goal, which `home` asks to be as at first. */
 export function listen(canvas, camera, moved, signal) {
   const pointers = new Map();
   const on = (type, handler, options = {}) => canvas.addEventListener(type, handler, { ...options, signal });
 
   on("pointerdown", (event) => {
-    if (event.pointerType === "mouse" && event.button > 2) return;
+    if (event.button > 2) return;
     canvas.setPointerCapture(event.pointerId);
     canvas.focus({ preventScroll: true });
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    pointers.set(event.pointerId, event);
   });
   const lift = (event) => pointers.delete(event.pointerId);
-  on("pointerup", lift);
-  on("pointercancel", lift);
+  on("lostpointercapture", lift);
   on("pointermove", (event) => {
     const last = pointers.get(event.pointerId);
     if (!last) return;
     const height = canvas.clientHeight || 1;
     const before = spread(pointers);
-    const dx = (event.clientX - last.x) / height;
-    const dy = (event.clientY - last.y) / height;
-    pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    const dx = (event.clientX - last.clientX) / height;
+    const dy = (event.clientY - last.clientY) / height;
+    pointers.set(event.pointerId, event);
     if (pointers.size === 1) {
-      const panning = event.pointerType === "mouse" && ((event.buttons & 6) !== 0 || event.shiftKey || event.ctrlKey);
-      if (panning) camera.pan(-dx, dy);
+      const touches = event.pointerType === "touch";
+      if (touches && last.type === "pointerdown" && Math.abs(dy) > Math.abs(dx)) return lift(event); // it scrolls the page
+      if (!touches && (event.buttons & 6 || event.shiftKey || event.ctrlKey)) camera.pan(-dx, dy);
       else camera.rotate(-dx * TURN, -dy * TURN);
     } else if (pointers.size === 2) {
       const after = spread(pointers);
@@ -37,43 +41,35 @@ export function listen(canvas, camera, moved, signal) {
     }
     moved();
   });
+  on("touchmove", (event) => event.touches[1] && event.preventDefault(), { passive: false }); // two fingers scroll nothing
   on("contextmenu", (event) => event.preventDefault());
   on("wheel", (event) => {
     event.preventDefault();
-    const lines = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? 400 : 1;
-    camera.zoom(Math.exp(0.0015 * lines * event.deltaY));
+    camera.zoom(Math.exp(0.0015 * [1, 16, 400][event.deltaMode] * event.deltaY)); // pixels, lines or pages
     moved();
   }, { passive: false });
+  on("dblclick", () => moved(true));
   on("keydown", (event) => {
-    if (event.altKey || event.metaKey) return;
-    const shift = event.shiftKey;
-    const act = {
-      ArrowLeft: () => (shift ? camera.pan(-0.05, 0) : camera.rotate(-KEY_TURN, 0)),
-      ArrowRight: () => (shift ? camera.pan(0.05, 0) : camera.rotate(KEY_TURN, 0)),
-      ArrowUp: () => (shift ? camera.pan(0, 0.05) : camera.rotate(0, -KEY_TURN)),
-      ArrowDown: () => (shift ? camera.pan(0, -0.05) : camera.rotate(0, KEY_TURN)),
-      PageUp: () => camera.zoom(1 / KEY_ZOOM),
-      PageDown: () => camera.zoom(KEY_ZOOM),
-      "+": () => camera.zoom(1 / KEY_ZOOM),
-      "=": () => camera.zoom(1 / KEY_ZOOM),
-      "-": () => camera.zoom(KEY_ZOOM),
-    }[event.key];
-    if (!act) return;
+    const move = KEYS[event.key];
+    if (!move || event.altKey || event.metaKey || event.ctrlKey) return; // those are the browser's
     event.preventDefault();
-    act();
-    moved();
+    const [right, up, back] = move;
+    if (event.shiftKey) camera.pan(right / 20, up / 20);
+    else camera.rotate(right * KEY_TURN, -up * KEY_TURN);
+    camera.zoom(KEY_ZOOM ** back);
+    moved(event.key === "Home");
   });
 }
 
 function spread(pointers) {
   if (pointers.size !== 2) return 0;
   const [a, b] = pointers.values();
-  return Math.hypot(a.x - b.x, a.y - b.y);
+  return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
 }
 
 /** The view in words, for screen readers, after model-viewer's custom. */
 export function spokenView(theta, phi) {
-  const quarter = ["front", "right", "back", "left"][Math.round((((theta % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI)) / (Math.PI / 2)) % 4];
+  const quarter = ["front", "right", "back", "left"][Math.round(theta / (Math.PI / 2)) & 3];
   const height = phi < Math.PI / 4 ? "upper-" : phi > (3 * Math.PI) / 4 ? "lower-" : "";
   return `View from stage ${height}${quarter}`;
 }

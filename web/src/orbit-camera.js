@@ -5,11 +5,9 @@ const POLE = 0.01; // rad kept from straight above and below, where azimuth mean
 const EASE = 0.05; // s: time in which the distance to the goal falls to 1/e
 
 export class OrbitCamera {
-  constructor() {
-    this.framing = { theta: 0, phi: 1.326, radius: 4, target: [0, 0, 0], size: 1 };
-    this.goal = { theta: 0, phi: 1.326, radius: 4, target: [0, 0, 0], fov: (40 * Math.PI) / 180 };
-    this.now = { ...this.goal, target: [0, 0, 0] };
-  }
+  framing = { theta: 0, phi: 1.326, radius: 4, target: [0, 0, 0], size: 1 };
+  goal = { ...this.framing, fov: (40 * Math.PI) / 180 };
+  now = { ...this.goal, target: [0, 0, 0] };
 
   /** Takes the engine's camera that shows the whole model as what `auto` means. */
   frame({ eye, target, size }) {
@@ -71,7 +69,7 @@ export class OrbitCamera {
     }
     now.theta += t * (goal.theta - now.theta);
     now.phi += t * (goal.phi - now.phi);
-    now.radius *= Math.pow(goal.radius / now.radius, t);
+    now.radius *= (goal.radius / now.radius) ** t;
     now.fov += t * (goal.fov - now.fov);
     for (let i = 0; i < 3; i++) now.target[i] += t * (goal.target[i] - now.target[i]);
     return true;

@@ -1,15 +1,15 @@
 // What an element shows, in its shadow tree: the canvas, and over it poster, progress, message and spoken words.
-import { styleSheet } from "./style.js";
+import { sheet } from "./style.js";
 
 export class Stage {
   constructor(root) {
-    root.adoptedStyleSheets = [styleSheet()];
+    root.adoptedStyleSheets = [sheet];
     const make = (tag, properties) => Object.assign(document.createElement(tag), properties);
-    this.canvas = make("canvas", { role: "img" });
+    this.canvas = make("canvas");
     this.poster = make("div", { className: "poster" });
-    this.bar = make("progress", { className: "bar", max: 1, value: 0, hidden: true, ariaLabel: "Loading" });
-    this.message = make("p", { className: "message", hidden: true, role: "alert" });
-    this.spoken = make("div", { className: "spoken", role: "status" });
+    this.bar = make("progress", { hidden: true, ariaLabel: "Loading" });
+    this.message = make("p", { hidden: true, role: "alert" });
+    this.spoken = make("div", { role: "status" });
     root.append(this.canvas, this.poster, make("slot", { name: "poster" }), this.bar, this.message, this.spoken);
   }
 
@@ -36,14 +36,14 @@ export class Stage {
 
   progress(fraction) {
     this.bar.value = fraction;
-    this.bar.hidden = fraction >= 1;
+    this.bar.hidden = fraction >= 1 || !this.message.hidden;
   }
 
   /** A message over the picture; none hides it. */
   say(text = "") {
-    if (text) this.message.textContent = text;
-    if (text) this.bar.hidden = true;
+    if (text !== this.message.textContent) this.message.textContent = text; // or it would be spoken again
     this.message.hidden = !text;
+    if (text) this.bar.hidden = true;
   }
 
   /** What a screen reader says at once when it is something new. */

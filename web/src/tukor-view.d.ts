@@ -66,6 +66,7 @@ export declare class TukorView extends HTMLElement {
   /** Vertical, "40deg". */
   fieldOfView: string | null;
   autoRotate: boolean;
+  /** Mouse, touch and keyboard steer; a finger moving up or down first scrolls the page. */
   cameraControls: boolean;
   alt: string | null;
   poster: string | null;

@@ -324,14 +324,15 @@ export class TukorView extends HTMLElement {
     this.#controlled = new AbortController();
     this.#describe();
     const signal = AbortSignal.any([this.#controlled.signal, this.#stop.signal]);
-    if (this.hasAttribute("camera-controls")) listen(this.#stage.canvas, this.#camera, () => this.#steered(), signal);
+    if (this.hasAttribute("camera-controls")) listen(this.#stage.canvas, this.#camera, (home) => this.#steered(home), signal);
   }
 
   #describe() {
     this.#stage.describe(this.getAttribute("alt") || "3D model", this.hasAttribute("camera-controls"));
   }
 
-  #steered() {
+  #steered(home) {
+    if (home) for (const attribute of CAMERA) this.#guard(() => this.#aim(attribute));
     this.#player.movedAt = performance.now();
     this.#player.changed();
     clearTimeout(this.#speaking);

@@ -139,6 +139,14 @@ test("mouse, wheel and keys move the camera, and only with camera-controls", asy
   await page.waitForFunction(() => window.view.shadowRoot.querySelector("[role=status]").textContent.startsWith("View from stage"));
   assert.equal(await page.evaluate(() => window.view.shadowRoot.querySelector("canvas").getAttribute("role")), "application");
   assert.ok((await page.said("camera-change")).length > 0);
+  const { phi } = await orbit();
+  for (const key of ["Control+ArrowUp", "Control+-"]) await page.keyboard.press(key);
+  assert.equal((await orbit()).phi, phi, "keys with Ctrl are the browser's");
+  await page.keyboard.press("Home");
+  assert.deepEqual(await orbit(), before);
+  await page.mouse.wheel(0, 200);
+  await page.mouse.dblclick(40, 30);
+  assert.deepEqual(await orbit(), before);
   await page.evaluate(() => (window.view.cameraControls = false));
   const fixed = await orbit();
   await page.mouse.move(40, 30);
@@ -174,6 +182,30 @@ test("one finger turns, two pinch and move", async () => {
   assert.ok(after2.y < before2.y - 0.01, "two fingers carry the model up");
   const still = await orbit();
   assert.ok(Math.abs(still.radius / pinched.radius - 1) < 0.2 && Math.abs(still.theta - pinched.theta) < 1e-6, "without turning it");
+  await page.context().close();
+});
+
+test("one finger scrolls the page up and down, and turns the model from a move aside on", async () => {
+  const page = await element({ "camera-controls": "" }, { hasTouch: true });
+  await page.evaluate(() => (document.body.style.height = "3000px"));
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const drag = async (dx, dy) => {
+    await touch("touchStart", [50, 60]);
+    for (let i = 1; i <= 4; i++) await touch("touchMove", [50 + i * dx, 60 + i * dy]);
+    await touch("touchEnd");
+  };
+  const state = () => page.evaluate(() => (window.view.jumpCameraToGoal(), { ...window.view.getCameraOrbit(), scrolled: scrollY }));
+  const before = await state();
+  await drag(1, -10);
+  await page.waitForFunction(() => scrollY > 10);
+  assert.deepEqual({ ...(await state()), scrolled: 0 }, before);
+  await new Promise((resolve) => setTimeout(resolve, 500)); // it rolls on a little
+  await page.evaluate(() => scrollTo(0, 0));
+  await drag(10, 1);
+  const turned = await state();
+  assert.equal(turned.scrolled, 0);
+  assert.ok(turned.theta < before.theta - 0.3);
   await page.context().close();
 });
 
