@@ -18,13 +18,7 @@ function library(threads) {
 function capableWorker() {
   if (!HTMLCanvasElement.prototype.transferControlToOffscreen) return null;
   return new Promise((resolve) => {
-    let worker;
-    try {
-      worker = new Worker(new URL("./tukor-worker.js", import.meta.url), { type: "module", name: "tukor-view" });
-    } catch {
-      resolve(null);
-      return;
-    }
+    const worker = new Worker(new URL("./tukor-worker.js", import.meta.url), { type: "module", name: "tukor-view" });
     const give = (can) => {
       worker.onmessage = worker.onerror = null;
       if (!can) worker.terminate();
@@ -35,7 +29,7 @@ function capableWorker() {
       give(false);
     };
     worker.onmessage = ({ data }) => give(data.webgl2);
-  });
+  }).catch(() => null);
 }
 
 export class Link {
@@ -72,10 +66,7 @@ export class Link {
 
   #listen(told) {
     this.#port.onmessage = ({ data }) => {
-      if (data.event) {
-        told(data.event);
-        return;
-      }
+      if (data.event) return told(data.event);
       const { resolve, reject } = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
       if ("error" in data) reject(Object.assign(new Error(data.error), { lost: data.lost }));

@@ -6,6 +6,7 @@ const BUILT_IN = { src: /^[a-z-]+$/, environment: /^[a-z]+$/ };
 export class Sources {
   files = { src: null, environment: null }; // dropped ones, until the attribute changes
   names = { src: "", environment: "studio" }; // of what is shown
+  #kept = { src: null, environment: null }; // dropped ones that are shown
   #serial = { src: 0, environment: 0 };
   #ready = { src: false, environment: false };
   #share = { src: 0, environment: 0 }; // fractions that have arrived
@@ -53,9 +54,11 @@ export class Sources {
       await send(found, current);
       if (!current()) return false;
     } catch (error) {
-      if (current()) throw error;
-      return false;
+      if (!current()) return false;
+      this.files[what] = this.#kept[what];
+      throw error;
     }
+    this.#kept[what] = file;
     this.names[what] = source;
     this.#ready[what] = true;
     share(1);

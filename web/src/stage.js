@@ -40,7 +40,7 @@ export class Stage {
   }
 
   /** A message over the picture; none hides it. */
-  say(text = "") {
+  say(text) {
     if (text !== this.message.textContent) this.message.textContent = text; // or it would be spoken again
     this.message.hidden = !text;
     if (text) this.bar.hidden = true;

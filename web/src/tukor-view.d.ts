@@ -5,7 +5,7 @@ export interface TukorViewEventMap {
   progress: CustomEvent<{ totalProgress: number }>;
   /** Model and environment are there and have been drawn. */
   load: CustomEvent<{ url: string | null }>;
-  /** Something could not be loaded or understood; the picture before stays. */
+  /** Something could not be loaded or understood; the picture before stays, and the message until it is corrected. */
   error: CustomEvent<{ message: string; sourceError: Error }>;
   "camera-change": CustomEvent<{ source: "user-interaction" | "none" }>;
   play: CustomEvent<undefined>;
@@ -23,9 +23,9 @@ export interface StillOptions {
 }
 
 export declare class TukorView extends HTMLElement {
-  /** URL of a .glb, .gltf, .obj, .ply or .stl, or a built-in shape: sphere, torus-knot, teapot, brilliant, tumbler, water. */
+  /** URL of a .glb, .gltf, .obj, .ply or .stl, or a built-in shape: sphere, torus-knot, teapot, brilliant, tumbler, water, wine-glass, cube. */
   src: string | null;
-  /** URL of an .hdr, .exr, .png, .jpg, .ktx2, .ktx or .dds, or a built-in: studio, sky. */
+  /** URL of an .hdr, .exr, .png, .jpg, .ktx2, .ktx or .dds, or a built-in: studio (also where none is given, or nothing can be loaded), sky. */
   environment: string | null;
   /** About +Y, "30deg". */
   environmentRotation: string | null;

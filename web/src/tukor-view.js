@@ -29,7 +29,7 @@ export class TukorView extends HTMLElement {
   #speaking = 0;
   #loaded = false;
   #dismissed = false;
-  #failures = {}; // errors of what failed last: start, src, environment, frame
+  #causes = {}; // by attribute or act: the error that there is
 
   constructor() {
     super();
@@ -46,7 +46,7 @@ export class TukorView extends HTMLElement {
     observe(ResizeObserver, () => this.#player.changed(), this, signal);
     document.addEventListener("visibilitychange", () => this.#player.wake(), { signal });
     this.#controls();
-    if (this.getAttribute("loading") === "eager") this.#start();
+    if (this.loading === "eager") this.#start();
   }
 
   disconnectedCallback() {
@@ -71,9 +71,9 @@ export class TukorView extends HTMLElement {
     if (name === "autoplay") this.#autoplay();
     if (MODEL.includes(name)) this.#loadModel();
     else if (name === "environment") this.#loadEnvironment();
-    else if (MATERIALS.includes(name)) this.#guard(() => this.#materials());
-    else if (OPTIONS.includes(name)) this.#guard(() => this.#option(name));
-    else if (CAMERA.includes(name)) this.#guard(() => this.#aim(name));
+    else if (MATERIALS.includes(name)) this.#materials();
+    else if (OPTIONS.includes(name)) this.#option(name);
+    else if (CAMERA.includes(name)) this.#aim(name);
     this.#player.changed();
   }
 
@@ -93,10 +93,10 @@ export class TukorView extends HTMLElement {
     if (!this.#loaded) return "";
     const options = [...Object.keys(CHOICES), "variant", "animation", "ground"].filter((name) => this.hasAttribute(name)).map((name) => [name === "tone-map" ? "--tonemap" : `--${name}`, this.getAttribute(name)]);
     if (this.#clock.seconds >= 0) options.push(["--time-seconds", this.#clock.seconds]);
-    for (const sun of lists(this.getAttribute("light") ?? "")) options.push(["--light", sun]);
+    for (const sun of lists(this.light ?? "")) options.push(["--light", sun]);
     for (const name of Object.keys(FIGURES))
       if (this.hasAttribute(name) && !PAGE_ONLY.includes(name)) options.push([`--${name}`, figureOf(this, name) * (name === "environment-rotation" ? 180 / Math.PI : 1)]);
-    return renderCommand({ ...this.#sources.names, materials: this.getAttribute("material") ?? "", options, view: this.#camera.view(), ...this.#player.size });
+    return renderCommand({ ...this.#sources.names, materials: this.material ?? "", options, view: this.#camera.view(), ...this.#player.size });
   }
 
   /** Names of the model's animations; `animation` chooses one. */
@@ -184,8 +184,8 @@ export class TukorView extends HTMLElement {
   // ---- starting and loading ----
 
   #start() {
-    if (!this.#sources.nameOf("src", this.getAttribute("src"))) return null;
-    const waits = this.getAttribute("reveal") === "manual" && this.getAttribute("loading") !== "eager" && !this.#dismissed;
+    if (!this.#sources.nameOf("src", this.src)) return null;
+    const waits = this.reveal === "manual" && this.loading !== "eager" && !this.#dismissed;
     if (!waits) this.#starting ??= this.#begin().catch((error) => this.#fail(error, "start"));
     return this.#starting;
   }
@@ -194,7 +194,7 @@ export class TukorView extends HTMLElement {
   #forget() {
     this.#link = this.#starting = null;
     this.#loaded = false;
-    this.#failures = {};
+    this.#causes = {};
     this.#player.stop();
     this.#sources.forget();
   }
@@ -212,7 +212,7 @@ export class TukorView extends HTMLElement {
   }
 
   #sendAll() {
-    for (const name of OPTIONS) if (name !== "time-seconds" && this.hasAttribute(name)) this.#guard(() => this.#option(name));
+    for (const name of OPTIONS) if (name !== "time-seconds" && this.hasAttribute(name)) this.#option(name);
     return Promise.all([this.#loadModel(), this.#loadEnvironment()]);
   }
 
@@ -223,17 +223,18 @@ export class TukorView extends HTMLElement {
       this.#link = link; // it stays, and so does the canvas
       this.#starting = Promise.resolve();
     } else {
-      link?.ask("start").then(() => this.#sendAll()).catch((error) => this.#fail(error));
+      link?.ask("start").then(() => this.#sendAll()).catch((error) => this.#fail(error, "start"));
     }
   }
 
   #loadModel() {
-    return this.#load("src", this.getAttribute("src"), async ({ name, bytes, url }, current) => {
+    return this.#load("src", this.src, async ({ name, bytes, url }, current) => {
       const files = bytes ? await neighbours(bytes, name, url) : [];
       if (!current()) return;
-      const [variant, animation] = ["variant", "animation"].map((attribute) => this.getAttribute(attribute) ?? "");
-      const same = this.#sources.names.src === this.#sources.nameOf("src", this.getAttribute("src"));
-      if (!same) this.#clock.seconds = figureOf(this, "time-seconds");
+      const variant = this.variant ?? "";
+      const animation = this.animation ?? "";
+      const same = this.#sources.names.src === this.#sources.nameOf("src", this.src);
+      if (!same) this.#option("time-seconds");
       const { seconds } = this.#clock;
       const { framing, parts, animations } = await this.#link.ask("model", { name, bytes, files, aspect: this.#stage.aspect, variant, animation, seconds }, bytes ? [bytes.buffer] : []);
       if (!current()) return;
@@ -241,46 +242,44 @@ export class TukorView extends HTMLElement {
       this.#animations = animations;
       const { duration = 0 } = animations.find(({ name }) => name === animation) ?? animations[animation || 0] ?? {};
       this.#clock.duration = duration;
-      this.#guard(() => this.#materials());
-      this.#guard(() => this.#option("light"));
+      this.#materials();
+      this.#option("light");
       if (same) return; // another look of the same: the view stays
       this.#clock.paused = true;
       this.#autoplay();
       this.#camera.frame(framing);
-      for (const attribute of CAMERA) this.#guard(() => this.#aim(attribute));
+      CAMERA.forEach(this.#aim, this);
       this.#camera.jump();
     });
   }
 
   #loadEnvironment() {
-    return this.#load("environment", this.getAttribute("environment") ?? "studio", ({ name, bytes }) => this.#link.ask("environment", { name, bytes }, bytes ? [bytes.buffer] : []));
+    return this.#load("environment", this.environment || "studio", ({ name, bytes }) => this.#link.ask("environment", { name, bytes }, bytes ? [bytes.buffer] : []));
   }
 
-  async #load(what, attribute, send) {
-    delete this.#failures[what];
-    try {
-      const shown = await this.#sources.load(what, attribute, send, () => {
-        if (!this.#loaded) this.#progress(0.95 * this.#sources.arrived);
+  /** Where it fails and nothing is shown: what was shown last, or the studio. */
+  #load(what, attribute, send) {
+    const load = (source) => this.#sources.load(what, source, send, () => {
+      if (!this.#loaded) this.#progress(0.95 * this.#sources.arrived);
+    });
+    return this.#guard(what, async () => {
+      const shown = await load(attribute).catch((error) => {
+        this.#fail(error, what);
+        return !this.#sources.isReady(what) && load(this.#sources.names[what]);
       });
-      if (!shown || !this.#link) return;
-      if (what === "src") this.#loaded = false; // the next frame says `load` again
-      delete this.#failures.frame;
-      this.#stage.say();
-      this.#player.changed();
-    } catch (error) {
-      if (this.#link) this.#fail(error, what);
-    }
+      if (shown && what === "src") this.#loaded = false; // the next frame says `load` again
+      if (shown) this.#player.changed();
+    });
   }
 
   /** Rejects where nothing is under way that could still load. */
-  #whenLoaded() {
+  async #whenLoaded() {
     this.#start();
-    if (this.#loaded) return Promise.resolve();
-    const [failure] = Object.values(this.#failures);
-    if (failure) return Promise.reject(new Error(failure.message));
-    return new Promise((resolve, reject) => {
+    if (this.#loaded) return;
+    for (const what of ["start", "src", "environment", "frame"]) if (this.#causes[what]?.message) throw this.#causes[what];
+    await new Promise((resolve, reject) => {
       this.addEventListener("load", resolve, { once: true });
-      this.addEventListener("error", (event) => reject(new Error(event.detail?.message ?? "not loaded")), { once: true });
+      this.addEventListener("error", (event) => reject(event.detail.sourceError), { once: true });
     });
   }
 
@@ -293,7 +292,7 @@ export class TukorView extends HTMLElement {
 
   /** Not for those who ask for less motion. */
   #autoplay() {
-    if (this.hasAttribute("autoplay") && !reducedMotion.matches) this.play();
+    if (this.autoplay && !reducedMotion.matches) this.play();
   }
 
   // ---- attributes ----
@@ -303,20 +302,22 @@ export class TukorView extends HTMLElement {
   }
 
   #materials() {
-    return this.#set("materials", this.getAttribute("material") ?? "", figureOf(this, "dispersion"));
+    this.#guard("material", () => this.#set("materials", this.material ?? "", figureOf(this, "dispersion")));
   }
 
   #option(name) {
-    if (name in CHOICES) return this.#set("option", name, (this.getAttribute(name) ?? CHOICES[name]).trim());
-    const value = figureOf(this, name);
-    if (name === "time-seconds") return (this.#clock.seconds = value);
-    if (name === "light") return this.#set("suns", Float32Array.from(value), value.length);
-    if (name.startsWith("environment")) return this.#set("light", figureOf(this, "environment-rotation"), figureOf(this, "environment-intensity"));
-    return this.#set(name.replace("-", "_"), value);
+    this.#guard(name.slice(0, 12), () => { // those of the environment are set together
+      if (name in CHOICES) return this.#set("option", name, (this.getAttribute(name) ?? CHOICES[name]).trim());
+      const value = figureOf(this, name);
+      if (name === "time-seconds") return (this.#clock.seconds = value);
+      if (name === "light") return this.#set("suns", Float32Array.from(value), value.length);
+      if (name.startsWith("environment-")) return this.#set("light", figureOf(this, "environment-rotation"), figureOf(this, "environment-intensity"));
+      return this.#set(name.replace("-", "_"), value);
+    });
   }
 
   #aim(name) {
-    this.#camera.set(cameraGoal(this, name, this.#camera.framing));
+    this.#guard(name, () => this.#camera.set(cameraGoal(this, name, this.#camera.framing)));
   }
 
   #controls() {
@@ -324,15 +325,15 @@ export class TukorView extends HTMLElement {
     this.#controlled = new AbortController();
     this.#describe();
     const signal = AbortSignal.any([this.#controlled.signal, this.#stop.signal]);
-    if (this.hasAttribute("camera-controls")) listen(this.#stage.canvas, this.#camera, (home) => this.#steered(home), signal);
+    if (this.cameraControls) listen(this.#stage.canvas, this.#camera, (home) => this.#steered(home), signal);
   }
 
   #describe() {
-    this.#stage.describe(this.getAttribute("alt") || "3D model", this.hasAttribute("camera-controls"));
+    this.#stage.describe(this.alt || "3D model", this.cameraControls);
   }
 
   #steered(home) {
-    if (home) for (const attribute of CAMERA) this.#guard(() => this.#aim(attribute));
+    if (home) CAMERA.forEach(this.#aim, this);
     this.#player.movedAt = performance.now();
     this.#player.changed();
     clearTimeout(this.#speaking);
@@ -345,7 +346,7 @@ export class TukorView extends HTMLElement {
     const view = this;
     return {
       get awake() { return Boolean(view.#link) && view.#visible && !document.hidden && view.#sources.allReady; },
-      get turns() { return view.hasAttribute("auto-rotate"); },
+      get turns() { return view.autoRotate; },
       get size() { return view.#stage.size; },
       advance: (seconds) => view.#clock.advance(seconds),
       async ask(values) {
@@ -368,8 +369,9 @@ export class TukorView extends HTMLElement {
       this.#loaded = true;
       this.#stage.poster.hidden = true;
       this.#progress(1);
-      this.#tell("load", { url: this.getAttribute("src") });
+      this.#tell("load", { url: this.src });
     }
+    if (this.#causes.frame) this.#note("frame");
     if (moving) this.#tell("camera-change", { source: this.#player.movedAt > -Infinity ? "user-interaction" : "none" });
     this.#tell("frame", { samples, moving });
   }
@@ -383,22 +385,26 @@ export class TukorView extends HTMLElement {
     this.#tell("progress", { totalProgress: fraction });
   }
 
-  /** Does something that may be refused, now or later. */
-  async #guard(action) {
-    const link = this.#link;
+  /** Does something that may be refused, now or later. The message of it stays until the same is done again. */
+  async #guard(what, action) {
+    const cause = {};
+    this.#note(what, cause);
     try {
       await action();
-      if (link === this.#link) this.#stage.say();
     } catch (error) {
-      if (link === this.#link) this.#fail(error);
+      if (cause === this.#causes[what]) this.#fail(error, what);
     }
   }
 
-  #fail(error, what = null) {
+  #fail(error, what) {
     if (error.lost) return; // the context comes back, and all is sent again
-    if (what) this.#failures[what] = error;
-    this.#stage.say(error.message);
+    this.#note(what, error);
     this.#tell("error", { message: error.message, sourceError: error });
+  }
+
+  #note(what, cause) {
+    this.#causes[what] = cause;
+    this.#stage.say(Object.values(this.#causes).flatMap((cause) => cause?.message ?? []).join("\n"));
   }
 }
 

@@ -83,6 +83,51 @@ test("what is not understood is said, and the picture stays", async () => {
   await page.context().close();
 });
 
+const alert = (page) => page.evaluate(() => {
+  const { hidden, textContent } = window.view.shadowRoot.querySelector("[role=alert]");
+  return hidden ? "" : textContent;
+});
+const says = (page, expected) => page.waitForFunction((expected) => {
+  const { hidden, textContent } = window.view.shadowRoot.querySelector("[role=alert]");
+  return (hidden ? "" : textContent) === expected;
+}, expected);
+
+test("a message stays until what it is about is corrected", async () => {
+  const page = await element({ exposure: "abc", "camera-orbit": "0deg 90deg 0m", material: "nosuch=gold" }, { wait: false });
+  await page.waitForFunction(() => window.view.loaded && window.said.filter(({ type }) => type === "error").length >= 3);
+  await page.evaluate(() => (window.view.environmentIntensity = "2")); // succeeds, and hides none of them
+  await page.evaluate(() => window.view.render({ width: 8, height: 8, samples: 1 }));
+  const lines = (await alert(page)).split("\n");
+  assert.deepEqual(lines.map((line) => /exposure="abc"|camera-orbit="0deg 90deg 0m"|nosuch/.exec(line)?.[0]).sort(), ['camera-orbit="0deg 90deg 0m"', 'exposure="abc"', "nosuch"]);
+  await page.evaluate(() => {
+    window.view.material = "gold";
+    window.view.cameraOrbit = "0deg 90deg 3m";
+  });
+  await says(page, 'exposure="abc": not understood');
+  await page.evaluate(() => window.view.removeAttribute("exposure"));
+  await says(page, "");
+  await page.evaluate(() => {
+    window.view.environmentRotation = "left";
+    window.view.environmentIntensity = "3";
+    window.view.environmentRotation = "10deg";
+  });
+  await says(page, "");
+  await page.context().close();
+});
+
+test("where an environment cannot be had the model is shown in the studio, and the message stays", async () => {
+  for (const environment of ["missing.hdr", "moon"]) {
+    const page = await element({ environment }, { wait: false });
+    await page.waitForFunction(() => window.view.loaded, null, { timeout: 60000 });
+    assert.match(await alert(page), new RegExp(`^${environment}: `));
+    assert.equal(await page.evaluate(() => window.view.shadowRoot.querySelector("progress").hidden), true);
+    assert.match(await page.evaluate(() => window.view.command), / --environment studio /);
+    await page.evaluate(() => (window.view.environment = ""));
+    await says(page, "");
+    await page.context().close();
+  }
+});
+
 test("render rejects where loading failed, until something loads", async () => {
   const page = await element({ src: "missing.glb" });
   const rendered = () => page.evaluate(() => window.view.render({ width: 8, height: 8, samples: 1 }).then(({ width }) => width, (error) => error.message));
@@ -268,16 +313,34 @@ test("a poster stays until it is dismissed where the model is revealed by hand",
   await page.context().close();
 });
 
-test("a lost context comes back with the same picture", async () => {
-  const page = await element({});
-  const before = await picture(page, { ...small, samples: 1 });
-  await page.evaluate(() => (window.said.length = 0));
+test("a lost context comes back with the same picture, whatever was refused after it", async () => {
+  const pages = [await element({}), await element({ src: "missing.glb" }), await element({})]; // one loss: browsers stand few
+  const [, file, named] = pages;
+  const load = (name, bytes) => file.evaluate(([name, bytes]) => window.view.loadModelFile(new File([new Uint8Array(bytes)], name)), [name, [...bytes]]);
+  await load("junk.glb", Buffer.from("junk"));
+  await load("good.glb", solidFile());
+  await file.waitForFunction(() => window.view.loaded);
+  await load("junk.glb", Buffer.from("junk"));
+  assert.match(await alert(file), /^junk\.glb: /);
+  await named.evaluate(() => {
+    window.view.src = "missing.glb";
+    window.view.environment = "moon";
+  });
+  await named.waitForFunction(() => window.said.filter(({ type }) => type === "error").length === 2);
+  const before = [];
+  for (const page of pages) {
+    before.push(await picture(page, { ...small, samples: 1 }));
+    await page.evaluate(() => (window.said.length = 0));
+  }
   await browser.loseContexts();
-  await page.waitForFunction(() => window.said.some(({ type }) => type === "load"), null, { timeout: 60000 });
-  const after = await picture(page, { ...small, samples: 1 });
-  assert.deepEqual(after.data, before.data);
-  assert.deepEqual(await page.said("error"), []);
-  await page.context().close();
+  for (const [i, page] of pages.entries()) {
+    await page.bringToFront();
+    await page.waitForFunction(() => window.said.some(({ type }) => type === "load"), null, { timeout: 60000 });
+    assert.deepEqual((await picture(page, { ...small, samples: 1 })).data, before[i].data);
+    if (page !== named) assert.deepEqual(await page.said("error"), []);
+  }
+  assert.match(await file.evaluate(() => window.view.command), /^tukor render good\.glb /);
+  for (const page of pages) await page.context().close();
 });
 
 test("elements can be taken off the page and put back, many times", async () => {
