@@ -21,10 +21,11 @@ export async function download(url, name, arrived = () => {}) {
   return new Uint8Array(await new Blob(pieces).arrayBuffer());
 }
 
-/** The files that a .gltf names: from its own folder or below, nowhere else. */
-export async function neighbours(bytes, name, url) {
-  if (!/\.gltf$/i.test(name) || !url) return [];
-  const uris = neighbourUris(gltfContents(bytes)?.json);
+/** [path, bytes] of what lies beside a model: those dropped with it, or those that a .gltf names, from its own folder or below, nowhere else. */
+export async function neighbours({ name, bytes, url, others }) {
+  const uris = /\.gltf$/i.test(name) ? neighbourUris(gltfContents(bytes)?.json) : [];
+  if (!url) // dropped ones have lost their folders
+    return Promise.all(others.map(async (file) => [uris.map(decodeURIComponent).find((uri) => `/${uri}`.endsWith(`/${file.name}`)) ?? file.name, new Uint8Array(await file.arrayBuffer())]));
   const folder = new URL(".", url).href;
   return Promise.all(uris.map(async (uri) => {
     const target = new URL(uri, url);

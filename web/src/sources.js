@@ -4,18 +4,18 @@ import { baseName, download } from "./files.js";
 const BUILT_IN = { src: /^[a-z-]+$/, environment: /^[a-z]+$/ };
 
 export class Sources {
-  files = { src: null, environment: null }; // dropped ones, until the attribute changes
+  files = { src: null, environment: null }; // dropped ones, each with what lies beside it, until the attribute changes
   names = { src: "", environment: "studio" }; // of what is shown
-  #kept = { src: null, environment: null }; // dropped ones that are shown
-  #serial = { src: 0, environment: 0 };
-  #ready = { src: false, environment: false };
+  #kept = {}; // dropped ones that are shown
+  #newest = {}; // of what was asked for
+  #ready = {};
   #share = { src: 0, environment: 0 }; // fractions that have arrived
 
   /** Nothing is shown, and nothing is under way. */
   forget() {
-    this.#ready = { src: false, environment: false };
+    this.#ready = {};
     this.#share = { src: 0, environment: 0 };
-    for (const what of ["src", "environment"]) this.#serial[what]++;
+    this.#newest = {};
   }
 
   isReady(what) { return this.#ready[what]; }
@@ -24,17 +24,18 @@ export class Sources {
 
   /** How it is called: a file's name, or what the attribute says. */
   nameOf(what, attribute) {
-    return this.files[what] ? this.files[what].name : attribute;
+    return this.files[what]?.[0].name ?? attribute;
   }
 
   /**
-   * Fetches it and hands it to `send` as {name, bytes, url}, no bytes for what is built in; `arrives()` is called after progress. True when
+   * Fetches it and hands it to `send` as {name, bytes, url, others}, no bytes for what is built in; `arrives()` is called after progress. True when
    * it is shown now; false when nothing is named, or something newer was asked for meanwhile. Rejects only for the newest.
    */
   async load(what, attribute, send, arrives) {
-    const serial = ++this.#serial[what];
-    const current = () => serial === this.#serial[what];
-    const file = this.files[what];
+    const newest = (this.#newest[what] = {});
+    const current = () => newest === this.#newest[what];
+    const files = this.files[what];
+    const [file, ...others] = files ?? [];
     const source = this.nameOf(what, attribute);
     if (!source) return false;
     const name = file ? file.name : baseName(source);
@@ -43,7 +44,7 @@ export class Sources {
       arrives();
     };
     try {
-      const found = { name, bytes: undefined, url: null };
+      const found = { name, others };
       if (file) found.bytes = new Uint8Array(await file.arrayBuffer());
       else if (!BUILT_IN[what].test(source)) {
         found.url = new URL(source, document.baseURI);
@@ -58,7 +59,7 @@ export class Sources {
       this.files[what] = this.#kept[what];
       throw error;
     }
-    this.#kept[what] = file;
+    this.#kept[what] = files;
     this.names[what] = source;
     this.#ready[what] = true;
     share(1);

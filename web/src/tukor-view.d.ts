@@ -97,7 +97,8 @@ export declare class TukorView extends HTMLElement {
   render(options?: StillOptions): Promise<ImageData>;
   toBlob(options?: StillOptions & { mimeType?: string; qualityArgument?: number }): Promise<Blob>;
   toDataURL(mimeType?: string, qualityArgument?: number): Promise<string>;
-  loadModelFile(file: File): Promise<void>;
+  /** A model, and the files that it names: buffers and textures of a .gltf, the .mtl of an .obj. */
+  loadModelFile(file: File, ...named: File[]): Promise<void>;
   loadEnvironmentFile(file: File): Promise<void>;
 
   addEventListener<K extends keyof TukorViewEventMap>(type: K, listener: (this: TukorView, event: TukorViewEventMap[K]) => unknown, options?: boolean | AddEventListenerOptions): void;

@@ -170,14 +170,14 @@ export class TukorView extends HTMLElement {
     return dataUrlOf(await this.toBlob({ mimeType, qualityArgument }));
   }
 
-  /** Loads a dropped or chosen model file; nothing leaves the page. */
-  async loadModelFile(file) {
-    this.#sources.files.src = file;
+  /** Loads a dropped or chosen model file, with those that it names; nothing leaves the page. */
+  async loadModelFile(...files) {
+    this.#sources.files.src = files;
     await (this.#link ? this.#loadModel() : this.#start());
   }
 
   async loadEnvironmentFile(file) {
-    this.#sources.files.environment = file;
+    this.#sources.files.environment = [file];
     await (this.#link ? this.#loadEnvironment() : this.#start());
   }
 
@@ -228,8 +228,9 @@ export class TukorView extends HTMLElement {
   }
 
   #loadModel() {
-    return this.#load("src", this.src, async ({ name, bytes, url }, current) => {
-      const files = bytes ? await neighbours(bytes, name, url) : [];
+    return this.#load("src", this.src, async (found, current) => {
+      const { name, bytes } = found;
+      const files = bytes && (await neighbours(found));
       if (!current()) return;
       const variant = this.variant ?? "";
       const animation = this.animation ?? "";

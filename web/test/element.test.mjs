@@ -128,6 +128,23 @@ test("where an environment cannot be had the model is shown in the studio, and t
   }
 });
 
+test("a dropped .gltf or .obj finds what it names among the files dropped with it", async () => {
+  const page = await element({});
+  const drop = (...files) => page.evaluate((files) => window.view.loadModelFile(...files.map(([name, text]) => new File([text], name))), files);
+  const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+  const gltf = { asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, name: "corner" }], meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    buffers: [{ uri: "below/of%20it.bin", byteLength: 36 }], bufferViews: [{ buffer: 0, byteLength: 36 }], accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1, 1, 0] }] };
+  await page.evaluate(([gltf, positions]) => window.view.loadModelFile(new File([gltf], "set.gltf"), new File(["no"], "other.txt"), new File([new Float32Array(positions)], "of it.bin")), [JSON.stringify(gltf), positions]);
+  assert.deepEqual(await page.evaluate(() => window.view.parts.map(({ name }) => name)), ["corner"]);
+  await page.evaluate(() => (window.view.material = null));
+  await drop(["set.obj", "mtllib set.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"], ["set.mtl", "newmtl red\nKd 1 0 0\n"]);
+  const parts = await page.evaluate(() => window.view.parts);
+  assert.equal(parts.length, 1);
+  assert.deepEqual(await page.evaluate(() => window.view.warnings()), []);
+  assert.deepEqual(await page.said("error"), []);
+  await page.context().close();
+});
+
 test("render rejects where loading failed, until something loads", async () => {
   const page = await element({ src: "missing.glb" });
   const rendered = () => page.evaluate(() => window.view.render({ width: 8, height: 8, samples: 1 }).then(({ width }) => width, (error) => error.message));
