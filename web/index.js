@@ -2,4 +2,4 @@
 import { acceptDrops } from "./drops.js";
 
 for (const view of document.querySelectorAll("tukor-view"))
-  acceptDrops(view, (file, kind) => (kind === "environment" ? view.loadEnvironmentFile(file) : view.loadModelFile(file)));
+  acceptDrops(view, (kind, files) => (kind === "environment" ? view.loadEnvironmentFile(...files) : view.loadModelFile(...files)));

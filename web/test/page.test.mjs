@@ -7,7 +7,8 @@ import { open } from "./browser.mjs";
 import { hdrFile } from "./light.mjs";
 import { solidFile } from "./solid.mjs";
 
-const files = { "/test/light.hdr": hdrFile(256), "/test/solid.glb": solidFile() };
+const files = { "/test/light.hdr": hdrFile(256), "/test/solid.glb": solidFile(), "/test/junk": Buffer.from("junk"),
+                "/test/ball.obj": Buffer.from("mtllib ball.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n"), "/test/ball.mtl": Buffer.from("newmtl red\nKd 1 0 0\n") };
 let browser;
 before(async () => (browser = await open(files, { isolated: true }))); // as `./demo web` serves it
 after(() => browser.close());
@@ -18,9 +19,9 @@ async function audit(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
 }
 
-async function visit(path) {
-  const page = await browser.blank({ deviceScaleFactor: 0.25 }); // SwiftShader draws it
-  await page.goto(`${browser.origin}${path}`);
+async function visit(path, from = browser) {
+  const page = await from.blank({ deviceScaleFactor: 0.25 }); // SwiftShader draws it
+  await page.goto(`${from.origin}${path}`);
   await page.waitForFunction(() => document.querySelector("tukor-view").loaded, null, { timeout: 120000 });
   return page;
 }
@@ -33,20 +34,19 @@ for (const path of ["/", "/editor.html"])
     await page.context().close();
   });
 
-/** Drops a file of the server's on an element, as a person does. */
-function drop(page, selector, url, name) {
-  return page.evaluate(async ([selector, url, name]) => {
-    const bytes = await (await fetch(url)).arrayBuffer();
+/** Drops files of the server's on an element, as a person does: pairs of a URL and a name. */
+function drop(page, selector, ...files) {
+  return page.evaluate(async ([selector, files]) => {
     const data = new DataTransfer();
-    data.items.add(new File([bytes], name));
+    for (const [url, name] of files) data.items.add(new File([await (await fetch(url)).arrayBuffer()], name));
     document.querySelector(selector).dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, [selector, url, name]);
+  }, [selector, files]);
 }
 
 test("a picture of the example page takes a dropped model and a dropped environment", async () => {
   const page = await visit("/");
-  await drop(page, "#gold", "test/solid.glb", "mine.glb");
-  await drop(page, "#gold", "test/light.hdr", "mine.hdr");
+  await drop(page, "#gold", ["test/solid.glb", "mine.glb"]);
+  await drop(page, "#gold", ["test/light.hdr", "mine.hdr"]);
   await page.waitForFunction(() => / mine\.glb .*--environment mine\.hdr/.test(document.querySelector("#gold").command), null, { timeout: 60000 });
   assert.deepEqual(page.errors, []);
   await page.context().close();
@@ -54,7 +54,7 @@ test("a picture of the example page takes a dropped model and a dropped environm
 
 test("the editor takes a dropped environment and writes HTML and command", async () => {
   const page = await visit("/editor.html");
-  await drop(page, "tukor-view", "test/light.hdr", "dropped.hdr");
+  await drop(page, "tukor-view", ["test/light.hdr", "dropped.hdr"]);
   await page.waitForFunction(() => document.querySelector("tukor-view").command.includes("--environment dropped.hdr"));
   await page.selectOption("#part", "water");
   await page.fill("#material", "ice");
@@ -71,6 +71,71 @@ test("the editor takes a dropped environment and writes HTML and command", async
   await page.context().close();
 });
 
+const notice = (page, text) => page.waitForFunction((text) => document.querySelector("#notice").textContent.includes(text), text);
+const choices = (page, list) => page.evaluate((list) => [...document.querySelectorAll(`${list} option`)].map(({ value }) => value), list);
+
+test("the editor's lists are the library's", async () => {
+  const plain = await open(files); // the messages of the library's errors are empty where it has threads
+  const page = await visit("/editor.html", plain);
+  assert.equal(await page.inputValue("#tone-map"), "neutral");
+  const shapes = await choices(page, "#src");
+  await page.fill("#material", "unobtainium");
+  await page.locator("#material").blur();
+  await notice(page, `known are ${(await choices(page, "#materials")).join(", ")}; or figures`);
+  await page.evaluate(() => (document.querySelector("tukor-view").src = "cone"));
+  await notice(page, `expected a file or one of ${shapes.join(", ")}`);
+  assert.equal(shapes.length, 8);
+  await plain.close();
+});
+
+test("the editor writes dropped files and no refused material, and forgets notices and materials", async () => {
+  const plain = await open(files); // the messages of the library's errors are empty where it has threads
+  const page = await visit("/editor.html", plain);
+  await page.selectOption("#fidelity", "single"); // which is quick
+  await page.fill("#material", "gold");
+  await page.locator("#material").blur();
+  await page.fill("#material", "glod");
+  await page.locator("#material").blur();
+  await notice(page, "did you mean 'gold'?");
+  assert.match(await page.inputValue("#html"), / material="gold"/);
+  assert.match(await page.inputValue("#command"), / --material gold /);
+  await drop(page, "tukor-view", ["test/junk", "junk.glb"]);
+  await notice(page, "junk.glb: ");
+  await page.waitForFunction(() => document.querySelector("#html").value.includes('<tukor-view src="tumbler" environment="studio" material="gold"'));
+  await drop(page, "tukor-view", ["test/solid.glb", "mine.glb"], ["test/light.hdr", "mine.hdr"]);
+  await page.waitForFunction(() => /^[^]*<tukor-view src="mine.glb" environment="mine.hdr" fidelity="single" camera-orbit=.* alt="mine" style="[^"]*height:/.test(document.querySelector("#html").value));
+  await page.waitForFunction(() => /^tukor render mine.glb --environment mine.hdr /.test(document.querySelector("#command").value));
+  assert.deepEqual(await page.evaluate(() => ["notice", "material", "src"].map((id) => document.getElementById(id).value ?? document.getElementById(id).textContent)), ["", "", ""]);
+  await page.selectOption("#src", "tumbler");
+  await page.waitForFunction(() => document.querySelector("#command").value.startsWith("tukor render tumbler --environment mine.hdr "));
+  assert.deepEqual(await choices(page, "#src [value='']"), []);
+  await plain.close();
+});
+
+test("files dropped together are a model with those that it names; its textures are no environments", async () => {
+  const page = await visit("/editor.html");
+  await drop(page, "tukor-view", ["test/junk", "red.png"], ["test/ball.mtl", "ball.mtl"], ["test/ball.obj", "ball.obj"]);
+  await page.waitForFunction(() => document.querySelector("#command").value.startsWith("tukor render ball.obj --environment studio "));
+  assert.equal(await page.textContent("#notice"), "");
+  assert.deepEqual(await page.evaluate(() => document.querySelector("tukor-view").warnings()), []);
+  assert.deepEqual(page.errors, []);
+  await page.context().close();
+});
+
+test("the editor saves the picture, and keeps it in sight on narrow screens", async () => {
+  const page = await visit("/editor.html");
+  await page.selectOption("#fidelity", "single");
+  await page.setViewportSize({ width: 360, height: 640 });
+  const saved = page.waitForEvent("download");
+  await page.click("#save");
+  assert.equal((await saved).suggestedFilename(), "view.png");
+  await page.locator("#environment-rotation").scrollIntoViewIfNeeded();
+  assert.ok(await page.evaluate(() => scrollY > 0 && document.querySelector("tukor-view").getBoundingClientRect().top >= 0 && document.documentElement.scrollWidth <= 360));
+  await page.fill("#exposure", "1.5");
+  assert.equal(await page.textContent("label:has(#exposure) span"), "1.5");
+  await page.context().close();
+});
+
 test("in the editor a click on a part chooses it, and HTML and command can be copied", async () => {
   const page = await visit("/editor.html");
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
@@ -82,7 +147,7 @@ test("in the editor a click on a part chooses it, and HTML and command can be co
   await page.locator("#material").blur();
   assert.equal(await page.getAttribute("tukor-view", "material"), "glass=flint-glass");
   await page.waitForFunction(() => document.querySelector("tukor-view").command.includes("sky"));
-  for (const [what, expected] of [["html", /<tukor-view src="tumbler" environment="sky" material="glass=flint-glass"[^>]*camera-controls><\/tukor-view>/], ["command", /^tukor render tumbler --material glass=flint-glass --environment sky /]]) {
+  for (const [what, expected] of [["html", /<tukor-view src="tumbler" environment="sky" material="glass=flint-glass"[^>]* alt="tumbler"[^>]*camera-controls><\/tukor-view>/], ["command", /^tukor render tumbler --material glass=flint-glass --environment sky /]]) {
     await page.click(`#copy-${what}`);
     await page.waitForFunction(() => document.querySelector("#notice").textContent === "Copied");
     await page.evaluate(() => (document.querySelector("#notice").textContent = ""));
