@@ -157,6 +157,15 @@ test("in the editor a click on a part chooses it, and HTML and command can be co
   await page.context().close();
 });
 
+test("the package's README names every attribute and every built-in shape", async () => {
+  const readme = await readFile(new URL("../README.md", import.meta.url), "utf8");
+  const page = await browser.blank();
+  for (const name of await page.evaluate(() => customElements.get("tukor-view").observedAttributes)) assert.ok(readme.includes(`\`${name}\``), name);
+  await page.goto(`${browser.origin}/editor.html`);
+  assert.ok(readme.includes(`or ${(await choices(page, "#src")).join(", ")} |`));
+  await page.context().close();
+});
+
 test("all that a page fetches for a GLB with an .hdr is at most 130 KB, compressed", async () => {
   const plain = await open(files);
   const page = await plain.blank();
