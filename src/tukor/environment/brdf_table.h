@@ -1,5 +1,6 @@
 // The other half of split-sum lighting: what a rough surface makes of uniform light.
 #pragma once
+#include "tukor/base/progress.h"
 #include "tukor/image/image.h"
 
 namespace tukor {
@@ -10,8 +11,8 @@ namespace tukor {
 /// below.
 ///
 /// Columns run over the cosine of the view, rows over perceptual roughness, from the top; both at
-/// (i + 0.5) / size. Within 2e-3.
-[[nodiscard]] Image brdfTable(int size);
+/// (i + 0.5) / size. Within 1e-4. An empty image where `progress` asked to stop.
+[[nodiscard]] Image brdfTable(int size, const Progress& progress = {});
 
 /// The same for renderers, which want the ends: columns at cosines of (i / (size - 1))^2, rows at
 /// roughnesses of i / (size - 1).

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tukor/environment/brdf_table.h"
 #include "tukor/environment/equirect.h"
 
 namespace tukor {
@@ -86,50 +85,6 @@ TEST(HarmonicsText, ListsEveryCoefficient) {
     const std::string header = cHeaderOf(harmonics, "irradiance", "light");
     EXPECT_THAT(header, testing::HasSubstr("static const float light[4][3] = {"));
     EXPECT_THAT(header, testing::HasSubstr("{0.00000000f, 0.00000000f, -1.00000000f},  // L1,1"));
-}
-
-TEST(BrdfTable, MeetsTheLimitsOfAMirrorAndLosesEnergyWithRoughness) {
-    const Image table = brdfTable(32);
-    for (int column = 0; column < 32; ++column) {
-        // A mirror: Schlick's Fresnel itself. The first row has alpha = 2.4e-4.
-        const double fresnel = std::pow(1 - (column + 0.5) / 32, 5);
-        EXPECT_NEAR(table.at(column, 0).y, fresnel, 2e-3) << column;
-        EXPECT_NEAR(table.at(column, 0).x, 1 - fresnel, 2e-3) << column;
-        for (int row = 0; row < 32; ++row) {
-            const float whole = table.at(column, row).x + table.at(column, row).y;
-            EXPECT_LE(whole, 1.0f + 1e-3f);
-            EXPECT_GT(whole, 0.3f);
-        }
-        EXPECT_LT(table.at(column, 31).x + table.at(column, 31).y,
-                  table.at(column, 0).x + table.at(column, 0).y);
-    }
-}
-
-TEST(BrdfTable, EqualsTheHemisphericalIntegral) {
-    // The same integral over incoming directions, by brute force.
-    const double cosOut = (20 + 0.5) / 32, roughness = (16 + 0.5) / 32, a2 = std::pow(roughness, 4);
-    const double sinOut = std::sqrt(1 - cosOut * cosOut);
-    glm::dvec2 sum(0.0);
-    constexpr int kSteps = 600;
-    for (int i = 0; i < kSteps; ++i)
-        for (int j = 0; j < kSteps; ++j) {
-            const double cosIn = (i + 0.5) / kSteps, sinIn = std::sqrt(1 - cosIn * cosIn);
-            const double phi = std::numbers::pi * (j + 0.5) / kSteps;
-            const double cosHalf2 = std::pow(cosIn + cosOut, 2) /
-                                    (2 + 2 * (cosIn * cosOut + sinIn * sinOut * std::cos(phi)));
-            const double outHalf =
-                std::sqrt(0.5 * (1 + cosIn * cosOut + sinIn * sinOut * std::cos(phi)));
-            const double f = cosHalf2 * (a2 - 1) + 1;
-            const double d = a2 / (std::numbers::pi * f * f);
-            const double v = 0.5 / (cosOut * std::sqrt(cosIn * cosIn * (1 - a2) + a2) +
-                                    cosIn * std::sqrt(cosOut * cosOut * (1 - a2) + a2));
-            const double weight = d * v * cosIn * 2 * std::numbers::pi / (kSteps * kSteps);
-            const double fresnel = std::pow(1 - outHalf, 5);
-            sum += weight * glm::dvec2(1 - fresnel, fresnel);
-        }
-    const Image table = brdfTable(32);
-    EXPECT_NEAR(table.at(20, 16).x, sum.x, 2e-3);
-    EXPECT_NEAR(table.at(20, 16).y, sum.y, 2e-3);
 }
 
 }  // namespace
