@@ -11,11 +11,20 @@ namespace tukor {
 
 namespace {
 
+/// Radiance with which one can calculate: sums of more overflow, and no light is as bright.
+constexpr float kMost = 1e30f;
+
+/// False for no number, too.
+bool usable(float value) {
+    return std::abs(value) <= kMost;
+}
+
+bool usable(glm::vec3 pixel) {
+    return usable(pixel.x) && usable(pixel.y) && usable(pixel.z);
+}
+
 bool sound(glm::vec3 pixel) {
-    // Also false for no number.
-    constexpr float kMost = 3.4028235e38f;
-    return pixel.x >= 0.0f && pixel.x <= kMost && pixel.y >= 0.0f && pixel.y <= kMost &&
-           pixel.z >= 0.0f && pixel.z <= kMost;
+    return usable(pixel) && pixel.x >= 0.0f && pixel.y >= 0.0f && pixel.z >= 0.0f;
 }
 
 /// The replacement of a component that is not finite, from the pixels around it as they were.
@@ -25,7 +34,7 @@ float fromNeighbours(const Image& image, int column, int row, int component) {
     for (int j = std::max(row - 1, 0); j <= std::min(row + 1, image.height() - 1); ++j)
         for (int i = column - 1; i <= column + 1; ++i) {
             const float value = image.at((i + image.width()) % image.width(), j)[component];
-            if (!std::isfinite(value)) continue;
+            if (!usable(value)) continue;
             sum += std::max(value, 0.0f);
             most = std::max(most, value);
             ++count;
@@ -52,7 +61,7 @@ RepairCount repairRadiance(Image& image) {
             glm::vec3 repaired = pixel;
             bool finite = true, positive = true;
             for (int i = 0; i < 3; ++i) {
-                if (!std::isfinite(pixel[i])) {
+                if (!usable(pixel[i])) {
                     repaired[i] = fromNeighbours(image, column, row, i);
                     finite = false;
                 } else if (pixel[i] < 0.0f) {
@@ -86,11 +95,8 @@ std::vector<std::string> repairPictures(std::string_view name, std::span<Image> 
     RepairCount repairs;
     for (Image& picture : pictures) {
         const std::span<const glm::vec3> pixels = picture.pixels();
-        const auto broken = static_cast<std::size_t>(
-            std::count_if(pixels.begin(), pixels.end(), [](const glm::vec3& pixel) {
-                return !std::isfinite(pixel.x) || !std::isfinite(pixel.y) ||
-                       !std::isfinite(pixel.z);
-            }));
+        const auto broken = static_cast<std::size_t>(std::count_if(
+            pixels.begin(), pixels.end(), [](const glm::vec3& pixel) { return !usable(pixel); }));
         if (broken > pixels.size() / 2)
             throw Error(fmt::format("{}: {} of {} pixels are not finite; the file is damaged", name,
                                     broken, pixels.size()));

@@ -17,11 +17,11 @@ struct RepairCount {
 
 /// Replaces, component by component, what is not radiance.
 ///
-/// Negative values, which are colours outside Rec. 709 or ringing of a resampling, become 0. A
-/// value that is not finite takes the largest of the finite ones among the eight neighbours where
-/// it is +infinity, an overflow of something bright; their mean where it is no number; 0 where
-/// there is no such neighbour. Zero alone would make holes, and a hole in the sun a black dot in
-/// every reflection.
+/// Negative values, which are colours outside Rec. 709 or ringing of a resampling, become 0. Values
+/// above 1e30, whose sums overflow, count as not finite. A value that is not finite takes the
+/// largest of the finite ones among the eight neighbours where it is +infinity, an overflow of
+/// something bright; their mean where it is no number; 0 where there is no such neighbour. Zero
+/// alone would make holes, and a hole in the sun a black dot in every reflection.
 RepairCount repairRadiance(Image& image);
 
 /// One sentence for each kind of repair that was made, none when all was well.

@@ -24,11 +24,11 @@ Image constant(int width, int height, float value) {
 
 TEST(RepairRadiance, LeavesSoundRadianceAlone) {
     Image image = constant(5, 4, 0.5f);
-    image.at(2, 2) = {0.0f, 3.4e38f, 1e-40f};
+    image.at(2, 2) = {0.0f, 1e30f, 1e-40f};
     const RepairCount count = repairRadiance(image);
     EXPECT_EQ(count.notFinite, 0);
     EXPECT_EQ(count.negative, 0);
-    EXPECT_EQ(image.at(2, 2), glm::vec3(0.0f, 3.4e38f, 1e-40f));
+    EXPECT_EQ(image.at(2, 2), glm::vec3(0.0f, 1e30f, 1e-40f));
     EXPECT_TRUE(describeRepairs(count).empty());
 }
 
@@ -43,6 +43,16 @@ TEST(RepairRadiance, ReplacesEachKindByItsRule) {
     EXPECT_THAT(describeRepairs(count),
                 ElementsAre("1 pixel not finite, replaced by the neighbours",
                             "1 pixel with negative radiance, set to 0"));
+}
+
+TEST(RepairRadiance, TakesWhatOverflowsInSumsForInfinite) {
+    Image image = constant(5, 5, 1.0f);
+    image.at(2, 2) = {3e38f, -3e38f, 1e30f};
+    image.at(3, 2) = {4.0f, 3e30f, 1.0f};
+    const RepairCount count = repairRadiance(image);
+    EXPECT_EQ(image.at(2, 2), glm::vec3(4.0f, 0.0f, 1e30f));
+    EXPECT_EQ(image.at(3, 2), glm::vec3(4.0f, 1.0f, 1.0f));
+    EXPECT_EQ(count.notFinite, 2);
 }
 
 TEST(RepairRadiance, TakesNeighboursOverTheSeamAndZeroWhereThereIsNone) {
