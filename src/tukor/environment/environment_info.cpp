@@ -1,8 +1,10 @@
 #include "tukor/environment/environment_info.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -15,21 +17,51 @@
 
 namespace tukor {
 
+namespace {
+
+/// Of the texels that came out of the file, not of what is made of them.
+struct TexelRange {
+    glm::vec3 least = glm::vec3(INFINITY);
+    glm::vec3 most = glm::vec3(0.0f);
+    std::size_t aboveHalf = 0;  // texels with a component that half cannot hold
+
+    void add(std::span<const glm::vec3> texels) {
+        constexpr float kLargestHalf = 65504.0f;
+        for (const glm::vec3& texel : texels) {
+            least = glm::min(least, texel);
+            most = glm::max(most, texel);
+            aboveHalf += std::max({texel.x, texel.y, texel.z}) > kLargestHalf ? 1 : 0;
+        }
+    }
+};
+
+TexelRange rangeOf(const WorkSource& source) {
+    TexelRange range;
+    if (source.square || !source.cube) {
+        range.add((source.square ? source.square : source.panorama)->pixels());
+        return range;
+    }
+    for (const CubeFace face : kCubeFaces) range.add(source.cube->texels(face));
+    return range;
+}
+
+}  // namespace
+
 std::string describeWork(WorkSource source) {
     std::string text = fmt::format("layout     {}\nsize       {} x {}\n", source.layout,
                                    source.width, source.height);
+    const TexelRange range = rangeOf(source);
     const Image& panorama = panoramaOf(source);
-    glm::vec3 least(INFINITY), most(0.0f);
-    for (const glm::vec3& pixel : panorama.pixels()) {
-        least = glm::min(least, pixel);
-        most = glm::max(most, pixel);
-    }
     const Spectrum spectrum = spectrumOf(panorama, 8);
     const auto triple = [](glm::dvec3 v) {
+        v += 0.0;  // -0 becomes 0
         return fmt::format("{:.5g} {:.5g} {:.5g}", v.x, v.y, v.z);
     };
-    text += fmt::format("least      {}\nmost       {}\nmean       {}\n", triple(least),
-                        triple(most), triple(spectrum.mean));
+    text += fmt::format("least      {}\nmost       {}\nmean       {}\n", triple(range.least),
+                        triple(range.most), triple(spectrum.mean));
+    if (range.aboveHalf > 0)
+        text += fmt::format("above half {} pixel{}, brighter than 65504\n", range.aboveHalf,
+                            range.aboveHalf == 1 ? "" : "s");
     const int faceSize =
         source.cube ? source.cube->faceSize() : faceSizeForEquirect(panorama.width());
     text += fmt::format("cube map   {} texels an edge\n", faceSize);

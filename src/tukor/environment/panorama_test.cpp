@@ -151,6 +151,18 @@ TEST(SaveWork, WritesWhatLoadWorkSourceReads) {
     EXPECT_EQ(sheet.height(), 3 * 384 + 128);
 }
 
+TEST(DescribeWork, MeasuresTheTexelsOfTheFile) {
+    WorkSource source;
+    source.cube = CubeMap(8);
+    for (const CubeFace face : kCubeFaces)
+        for (glm::vec3& texel : source.cube->texels(face)) texel = {1.0f, 1.0f, 0.0f};
+    source.cube->texels(CubeFace::posY)[9] = {0.25f, 70000.0f, 0.0f};
+    const std::string text = describeWork(std::move(source));
+    EXPECT_THAT(text, testing::HasSubstr("least      0.25 1 0\nmost       1 70000 0\n"));
+    EXPECT_THAT(text, testing::HasSubstr("\nabove half 1 pixel, brighter than 65504\n"));
+    EXPECT_THAT(text, testing::Not(testing::ContainsRegex(" -0[ \n]")));
+}
+
 TEST(SaveWork, BlursNoMoreThanPixelsDoWhereTexelsAreAsFine) {
     // A mean over a pixel of linear interpolation between pixels takes 1/8, 3/4, 1/8 of three along
     // each axis: of white noise 0.48 of its deviation is lost. The fit of the cube may lose some.
