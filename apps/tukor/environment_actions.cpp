@@ -1,8 +1,11 @@
 // Captured light converted, filtered and measured.
 #include "environment_actions.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -35,25 +38,38 @@ private:
     ProgressBar bar_{ProgressBar::Loudness::terminal};
 };
 
+bool isChain(FilterKind kind) {
+    return kind == FilterKind::ggx || kind == FilterKind::charlie;
+}
+
 int stopped() {
     fmt::print(stderr, "tukor: stopped; nothing was written\n");
     return kExitInterrupted;
 }
 
+/// Without the exposure, which the source has had: files of radiance want it, too.
 SaveOptions saveOptions(const DevelopOptions& develop) {
     return {.tonemap = develop.tonemap,
-            .exposureStops = develop.exposureStops,
+            .exposureStops = 0.0f,
             .pngDepth = develop.pngDepth,
             .jpegQuality = develop.jpegQuality,
             .exrPixels = develop.exrPixels,
             .metadata = {}};
 }
 
-WorkSource readSource(const SourceArguments& arguments) {
+/// What is read, and the file of the sun where one was asked for.
+struct Reading {
+    WorkSource source;
+    std::vector<EncodedFile> sun;
+};
+
+Reading readSource(const SourceArguments& arguments, const DevelopOptions& develop) {
     if (!arguments.sun.empty()) requireWritable(arguments.sun);
-    WorkSource source = loadWorkSource(arguments.in, arguments.layout.inLayout, arguments.from);
+    Reading reading{loadWorkSource(arguments.in, arguments.layout.inLayout, arguments.from), {}};
+    WorkSource& source = reading.source;
     for (const std::string& warning : source.warnings)
         warn(fmt::format("{}: {}", arguments.in, warning));
+    expose(source, develop.exposureStops);
     turn(source, static_cast<double>(arguments.rotateDegrees) * std::numbers::pi / 180.0);
     if (!arguments.sun.empty()) {
         const Image& panorama = panoramaOf(source);
@@ -63,11 +79,14 @@ WorkSource readSource(const SourceArguments& arguments) {
                 fmt::format("{}: no sun found; nothing is small, alone and ten times brighter "
                             "than what surrounds it",
                             arguments.in));
-        writeFile(arguments.sun, jsonOf(*sun));
+        const std::string text = jsonOf(*sun);
+        const auto bytes = std::as_bytes(std::span(text));
+        reading.sun.push_back({arguments.sun, {bytes.begin(), bytes.end()}});
         source.panorama = withoutSun(panorama, *sun);
         source.cube.reset();
+        source.square.reset();
     }
-    return source;
+    return reading;
 }
 
 /// `chain.exr` and 2 give `chain_2.exr`; `chain_{}.exr` gives `chain_2_{}.exr`.
@@ -108,11 +127,12 @@ WorkTarget workTarget(const TargetArguments& to, PictureForm form, const Develop
 }
 
 int saveHarmonics(const SourceArguments& from, const std::string& out,
-                  const FilterArguments& arguments) {
+                  const FilterArguments& arguments, const DevelopOptions& develop) {
     const std::string extension = lowerExtension(out);
     if (extension != ".json" && extension != ".h")
         throw Error(fmt::format("{}: spherical harmonics are written to .json or .h", out));
-    const Image panorama = panoramaOf(readSource(from));
+    Reading reading = readSource(from, develop);
+    const Image panorama = panoramaOf(std::move(reading.source));
     Harmonics harmonics;
     {
         Watch watch;
@@ -126,6 +146,7 @@ int saveHarmonics(const SourceArguments& from, const std::string& out,
     const bool irradiance = arguments.quantity == Quantity::irradiance;
     if (irradiance) harmonics = irradianceOf(std::move(harmonics));
     const char* quantity = irradiance ? "irradiance" : "radiance";
+    writeFiles(reading.sun);
     writeFile(out, extension == ".json" ? jsonOf(harmonics, quantity)
                                         : cHeaderOf(harmonics, quantity, "environmentHarmonics"));
     return 0;
@@ -133,25 +154,56 @@ int saveHarmonics(const SourceArguments& from, const std::string& out,
 
 /// The levels of a chain, or the one blurred map; none where it was stopped.
 std::vector<CubeMap> filteredLevels(const Image& panorama, const FilterArguments& arguments,
-                                    std::optional<int> size) {
-    Watch watch;
-    if (arguments.kind == FilterKind::ggx || arguments.kind == FilterKind::charlie)
+                                    int faceSize, const Progress& progress) {
+    if (isChain(arguments.kind))
         return prefilteredChain(panorama,
-                                {.faceSize = size.value_or(256),
+                                {.faceSize = faceSize,
                                  .levels = arguments.levels,
                                  .shape = arguments.kind == FilterKind::ggx ? LobeShape::ggx
                                                                             : LobeShape::charlie,
                                  .scale = arguments.scale},
-                                watch.progress())
+                                progress)
             .levels;
-    const bool blur = arguments.kind == FilterKind::blur;
     const double deviation = static_cast<double>(arguments.blurDegrees) * std::numbers::pi / 180.0;
-    std::optional<CubeMap> cube = blurredCube(
-        panorama, blur ? Lobe{LobeShape::gaussian, deviation} : Lobe{LobeShape::lambert, 1.0},
-        size.value_or(blur ? 256 : 32), watch.progress());
+    std::optional<CubeMap> cube =
+        blurredCube(panorama,
+                    arguments.kind == FilterKind::blur ? Lobe{LobeShape::gaussian, deviation}
+                                                       : Lobe{LobeShape::lambert, 1.0},
+                    faceSize, progress);
     std::vector<CubeMap> levels;
     if (cube) levels.push_back(std::move(*cube));
     return levels;
+}
+
+/// Faces with as many texels to the degree as a picture of this size; the default without one.
+int filteredFaceSize(const TargetArguments& to, PictureForm form, FilterKind kind) {
+    if (!to.size) return kind == FilterKind::irradiance ? 32 : 256;
+    if (form == PictureForm::equirect) return std::max(1, *to.size / 4);
+    if (form == PictureForm::octahedral || form == PictureForm::ball)
+        return std::max(1, *to.size / 2);
+    return *to.size;
+}
+
+/// The size of a level of a chain; none: that of its faces. Panoramas have even widths.
+std::optional<int> levelSize(const TargetArguments& to, PictureForm form, std::size_t level) {
+    if (!to.size || level == 0) return to.size;
+    const int size = *to.size >> level;
+    return form == PictureForm::equirect ? std::max(2, size / 2 * 2) : std::max(1, size);
+}
+
+int saveTable(const TargetArguments& to, const DevelopOptions& develop) {
+    const std::string extension = lowerExtension(to.out);
+    if (extension != ".exr" && extension != ".hdr")
+        throw Error(fmt::format(
+            "{}: the table is data, which pictures would bend to sRGB; expected .exr or .hdr",
+            to.out));
+    requireWritable(to.out);
+    const WorkTarget target = workTarget(to, PictureForm::equirect, develop);
+    Watch watch;
+    const Image table = brdfTable(to.size.value_or(128), watch.progress());
+    if (table.empty()) return stopped();
+    saveImage(to.out, table, target.picture);
+    return 0;
 }
 
 }  // namespace
@@ -161,47 +213,56 @@ int convertEnvironment(const SourceArguments& from, const TargetArguments& to,
     const PictureForm form = formOf(to, PictureForm::equirect);
     checkWorkTarget(to.out, form);
     requireWritable(to.out);
-    WorkSource source = readSource(from);
-    bool saved = false;
-    {
-        Watch watch;
-        saved =
-            saveWork(to.out, std::move(source), workTarget(to, form, develop), watch.progress());
-    }
-    return saved ? 0 : stopped();
+    Reading reading = readSource(from, develop);
+    Watch watch;
+    const std::vector<EncodedFile> files = encodeWork(
+        to.out, std::move(reading.source), workTarget(to, form, develop), watch.progress());
+    if (files.empty()) return stopped();
+    writeFiles(reading.sun);
+    writeFiles(files);
+    return 0;
 }
 
 int filterEnvironment(const SourceArguments& from, const TargetArguments& to,
                       const FilterArguments& arguments, const DevelopOptions& develop) {
-    if (arguments.kind == FilterKind::brdf) {
-        checkSavable(to.out);
-        saveImage(to.out, brdfTable(to.size.value_or(128)), saveOptions(develop));
-        return 0;
-    }
+    if (arguments.kind == FilterKind::brdf) return saveTable(to, develop);
     if (from.in.empty()) throw Error("IN is missing: the environment to filter");
     requireWritable(to.out);
-    if (arguments.kind == FilterKind::sh) return saveHarmonics(from, to.out, arguments);
+    if (arguments.kind == FilterKind::sh) return saveHarmonics(from, to.out, arguments, develop);
 
     const PictureForm form = formOf(to, PictureForm::hcross);
     checkWorkTarget(to.out, form);
-    const bool chain = arguments.kind == FilterKind::ggx || arguments.kind == FilterKind::charlie;
-    const int size = to.size.value_or(256);
-    if (chain && size >> (arguments.levels - 1) < 1)
+    const bool chain = isChain(arguments.kind);
+    const int faceSize = filteredFaceSize(to, form, arguments.kind);
+    if (chain && faceSize >> (arguments.levels - 1) < 1)
         throw Error(fmt::format("{} levels from faces of {} texels; expected at most {}",
-                                arguments.levels, size, static_cast<int>(std::log2(size)) + 1));
-    std::vector<CubeMap> levels = filteredLevels(panoramaOf(readSource(from)), arguments, to.size);
-    if (levels.empty()) return stopped();
+                                arguments.levels, faceSize,
+                                static_cast<int>(std::log2(faceSize)) + 1));
     WorkTarget target = workTarget(to, form, develop);
+    Reading reading = readSource(from, develop);
+    Watch watch;  // until all is written: a chain is there whole or not at all
+    const Progress whole = watch.progress();
+    std::vector<CubeMap> levels = filteredLevels(panoramaOf(std::move(reading.source)), arguments,
+                                                 faceSize, partOf(whole, 0.0f, 0.8f));
+    if (levels.empty()) return stopped();
+    std::vector<EncodedFile> files;
+    const Progress encoding = partOf(whole, 0.8f, 1.0f);
     if (chain && hasTextureExtension(to.out)) {
-        saveLevels(to.out, levels, target);
-        return 0;
+        files = encodeLevels(to.out, levels, target, encoding);
+        if (files.empty()) return stopped();
+    } else {
+        for (std::size_t level = 0; level < levels.size(); ++level) {
+            WorkSource result;
+            result.cube = std::move(levels[level]);
+            target.size = levelSize(to, form, level);
+            std::vector<EncodedFile> some = encodeWork(chain ? levelPath(to.out, level) : to.out,
+                                                       std::move(result), target, encoding);
+            if (some.empty()) return stopped();
+            std::move(some.begin(), some.end(), std::back_inserter(files));
+        }
     }
-    target.size = std::nullopt;
-    for (std::size_t level = 0; level < levels.size(); ++level) {
-        WorkSource result;
-        result.cube = std::move(levels[level]);
-        saveWork(chain ? levelPath(to.out, level) : to.out, std::move(result), target);
-    }
+    writeFiles(reading.sun);
+    writeFiles(files);
     return 0;
 }
 

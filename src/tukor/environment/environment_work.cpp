@@ -167,6 +167,18 @@ void turn(WorkSource& source, double radians) {
     source.square.reset();
 }
 
+void expose(WorkSource& source, float stops) {
+    if (stops == 0.0f) return;
+    const float factor = std::exp2(stops);
+    const auto scale = [factor](std::span<glm::vec3> texels) {
+        for (glm::vec3& texel : texels) texel *= factor;
+    };
+    if (source.panorama) scale(source.panorama->pixels());
+    if (source.square) scale(source.square->pixels());
+    if (!source.cube) return;
+    for (const CubeFace face : kCubeFaces) scale(source.cube->texels(face));
+}
+
 const Image& panoramaOf(WorkSource& source) {
     if (!source.panorama)
         source.panorama = panoramaFromCube(*source.cube, 4 * source.cube->faceSize());
@@ -202,18 +214,24 @@ void checkWorkTarget(const std::string& path, PictureForm form) {
     }
 }
 
-bool saveLevels(const std::string& path, std::span<const CubeMap> levels, const WorkTarget& target,
-                const Progress& progress) {
-    if (target.to == Orientation::opengl)
-        return saveTexture(path, textureFromCubes(levels), target.texture, progress);
+std::vector<EncodedFile> encodeLevels(const std::string& path, std::span<const CubeMap> levels,
+                                      const WorkTarget& target, const Progress& progress) {
+    const auto encoded = [&](std::span<const CubeMap> stored) {
+        std::vector<EncodedFile> files;
+        auto bytes =
+            encodeTexture(textureFromCubes(stored), lowerExtension(path), target.texture, progress);
+        if (!bytes.empty()) files.push_back({path, std::move(bytes)});
+        return files;
+    };
+    if (target.to == Orientation::opengl) return encoded(levels);
     std::vector<CubeMap> stored;
     stored.reserve(levels.size());
     for (const CubeMap& level : levels) stored.push_back(storedCube(level, cubeAxesOf(target.to)));
-    return saveTexture(path, textureFromCubes(stored), target.texture, progress);
+    return encoded(stored);
 }
 
-bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
-              const Progress& progress) {
+std::vector<EncodedFile> encodeWork(const std::string& path, WorkSource source,
+                                    const WorkTarget& target, const Progress& progress) {
     checkWorkTarget(path, target.form);
     bool stopped = false;  // once asked to, whoever asks next
     const Progress watch = [&](float fraction) {
@@ -221,12 +239,10 @@ bool saveWork(const std::string& path, WorkSource source, const WorkTarget& targ
         return !stopped;
     };
     const Progress making = partOf(watch, 0.0f, 0.5f), encoding = partOf(watch, 0.5f, 1.0f);
-    // All is encoded before anything is written, so that nothing is left of what was stopped.
-    std::vector<std::pair<std::string, std::vector<std::byte>>> files;
+    std::vector<EncodedFile> files;
     const auto add = [&](const std::string& file, const Image& image, const Progress& part) {
         if (!stopped)
-            files.emplace_back(file,
-                               encodeImage(image, lowerExtension(file), target.picture, part));
+            files.push_back({file, encodeImage(image, lowerExtension(file), target.picture, part)});
     };
     const std::optional<int> size = target.size;
     switch (target.form) {
@@ -257,11 +273,11 @@ bool saveWork(const std::string& path, WorkSource source, const WorkTarget& targ
         default: {
             CubeMap cube = cubeOf(std::move(source), size, making);
             if (target.form == PictureForm::faces && hasTextureExtension(path)) {
-                if (stopped) return false;
+                if (stopped) return {};
                 std::vector<CubeMap> levels{std::move(cube)};
                 for (CubeMap& mip : cubeMips(levels.front())) levels.push_back(std::move(mip));
-                if (!watch(0.5f)) return false;
-                return saveLevels(path, levels, target, encoding);
+                if (!watch(0.5f)) return {};
+                return encodeLevels(path, levels, target, encoding);
             }
             if (target.to != Orientation::opengl) cube = storedCube(cube, cubeAxesOf(target.to));
             if (target.form != PictureForm::faces) {
@@ -278,9 +294,20 @@ bool saveWork(const std::string& path, WorkSource source, const WorkTarget& targ
             }
         }
     }
-    if (!watch(1.0f)) return false;
-    for (const auto& [file, bytes] : files) writeFile(file, bytes);
-    return true;
+    if (!watch(1.0f)) return {};
+    return files;
+}
+
+void writeFiles(std::span<const EncodedFile> files) {
+    for (const EncodedFile& file : files) writeFile(file.path, file.bytes);
+}
+
+bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
+              const Progress& progress) {
+    // All is encoded before anything is written, so that nothing is left of what was stopped.
+    const std::vector<EncodedFile> files = encodeWork(path, std::move(source), target, progress);
+    writeFiles(files);
+    return !files.empty();
 }
 
 }  // namespace tukor

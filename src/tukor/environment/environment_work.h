@@ -1,5 +1,6 @@
 // Environments on their way from file to file: what `tukor environment` does.
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +39,9 @@ struct WorkSource {
 /// Turned about +Y, counter-clockwise seen from above.
 void turn(WorkSource& source, double radians);
 
+/// Each stop doubles the radiance.
+void expose(WorkSource& source, float stops);
+
 /// The panorama, made from the cube map if need be.
 [[nodiscard]] const Image& panoramaOf(WorkSource& source);
 [[nodiscard]] Image panoramaOf(WorkSource&& source);
@@ -56,14 +60,28 @@ struct WorkTarget {
 /// Throws the Error that saveWork would for a path that does not suit the form.
 void checkWorkTarget(const std::string& path, PictureForm form);
 
-/// Writes it; a texture file takes a cube map and all its levels. False, and nothing is written,
-/// where `progress` asked to stop.
+/// A file that is to be written.
+struct EncodedFile {
+    std::string path;
+    std::vector<std::byte> bytes;
+};
+
+/// The files of an environment, none of them written yet; a texture file takes a cube map and all
+/// its levels. None where `progress` asked to stop. Throws Error.
+[[nodiscard]] std::vector<EncodedFile> encodeWork(const std::string& path, WorkSource source,
+                                                  const WorkTarget& target,
+                                                  const Progress& progress = {});
+
+/// The file of all levels of a chain. None where `progress` asked to stop. Throws Error.
+[[nodiscard]] std::vector<EncodedFile> encodeLevels(const std::string& path,
+                                                    std::span<const CubeMap> levels,
+                                                    const WorkTarget& target = {},
+                                                    const Progress& progress = {});
+
+void writeFiles(std::span<const EncodedFile> files);
+
+/// encodeWork, written. False, and nothing is written, where `progress` asked to stop.
 bool saveWork(const std::string& path, WorkSource source, const WorkTarget& target,
               const Progress& progress = {});
-
-/// All levels of a chain in one texture file. False, and nothing is written, where `progress` asked
-/// to stop. Throws Error.
-bool saveLevels(const std::string& path, std::span<const CubeMap> levels,
-                const WorkTarget& target = {}, const Progress& progress = {});
 
 }  // namespace tukor
