@@ -324,6 +324,61 @@ def test_environment_workshop(folder):
     fails("environment", "filter", "sky.exr", "-o", "a.png", "--kind", "sh", says=".json or .h", folder=folder)
 
 
+def test_environment_exposure(folder):
+    """A stop doubles the radiance of every output, once."""
+    def least(name):  # a sun would be clipped by .png
+        info = run("environment", "info", name, folder=folder)[0]
+        return [float(word) for word in re.search(r"least +(.*)", info).group(1).split()]
+
+    run("environment", "convert", "sky", "-o", "sky.exr", "--size", "64", folder=folder)
+    for out in ("a.exr", "a.hdr", "a.ktx2", "a.dds", "a_{}.exr", "a.png"):
+        for stops, name in (("-6", "dim_" + out), ("-5", out)):
+            run("environment", "convert", "sky.exr", "-o", name, "--exposure", stops, *(["--png-depth", "16"] if out == "a.png" else []),
+                folder=folder)
+        pairs = list(zip(least(out), least("dim_" + out)))
+        assert all(abs(a / b - 2) < (0.04 if out in ("a.png", "a.hdr") else 0.004) for a, b in pairs), (out, pairs)
+    for stops, name in (("0", "one.json"), ("1", "two.json")):
+        run("environment", "filter", "sky.exr", "-o", name, "--kind", "sh", "--exposure", stops, "--sun", "sun_" + name, folder=folder)
+    first = [json.load(open(os.path.join(folder, name), encoding="utf-8")) for name in ("one.json", "two.json")]
+    assert abs(first[1]["coefficients"][0][1] / first[0]["coefficients"][0][1] - 2) < 1e-4, first
+    suns = [json.load(open(os.path.join(folder, "sun_" + name), encoding="utf-8")) for name in ("one.json", "two.json")]
+    assert abs(suns[1]["irradiance"][1] / suns[0]["irradiance"][1] - 2) < 1e-3, suns
+
+
+def test_environment_filtered_sizes(folder):
+    """`--size` is the width of a panorama and the edge of a face or picture, whatever is filtered."""
+    for kind, more in (("ggx", ["--levels", "3"]), ("irradiance", []), ("blur", [])):
+        for layout, size in (("equirect", "64 x 32"), ("octahedral", "64 x 64"), ("ball", "64 x 64"), ("hcross", "256 x 192")):
+            run("environment", "filter", "sky", "-o", "a.exr", "--kind", kind, "--layout", layout, "--size", "64", *more, folder=folder)
+            back = ["--in-layout", layout] if layout in ("octahedral", "ball") else []
+            info = run("environment", "info", "a_0.exr" if kind == "ggx" else "a.exr", *back, folder=folder)[0]
+            assert f"size       {size}\n" in info, (kind, layout, info)
+    info = run("environment", "info", "a_2.exr", folder=folder)[0]
+    assert "size       64 x 48\n" in info, info
+
+
+def test_environment_options_that_do_not_apply(folder):
+    """They are refused by name, not ignored."""
+    def refused(*arguments, says):
+        fails("environment", *arguments, says=says, status=2, folder=folder)
+
+    refused("convert", "sky", "-o", "a.exr", "--compression", "zstd", says="a.exr: --compression is of .ktx2")
+    refused("convert", "sky", "-o", "a.png", "--exr-pixels", "half", says="a.png: --exr-pixels is of .exr")
+    refused("convert", "sky", "-o", "a.hdr", "--tonemap", "aces", says="a.hdr: --tonemap is of .png and .jpg")
+    refused("filter", "sky", "-o", "a.ktx2", "--blur", "3", says="--blur is of --kind blur")
+    refused("filter", "sky", "-o", "a.ktx2", "--bands", "3", says="--bands is of --kind sh")
+    refused("filter", "sky", "-o", "a.json", "--kind", "sh", "--size", "3", says="--size is of pictures")
+    refused("filter", "sky", "-o", "a.json", "--kind", "sh", "--to", "three", says="--to is of pictures")
+    for option in (["none.exr"], ["--to", "three"], ["--layout", "faces"], ["--sun", "a.json"], ["--exposure", "1"]):
+        refused("filter", *option, "-o", "a.exr", "--kind", "brdf",
+                says=f"{option[0] if option[0].startswith('-') else 'IN'} is of")
+    fails("environment", "filter", "-o", "a.exr", "--kind", "brdf", "--format", "bc6h", says="float or half", folder=folder)
+    fails("environment", "filter", "-o", "a.png", "--kind", "brdf", says="expected .exr or .hdr", folder=folder)
+    for form in ("float", "half"):
+        run("environment", "filter", "-o", form + ".exr", "--kind", "brdf", "--size", "32", "--format", form, folder=folder)
+    assert os.path.getsize(os.path.join(folder, "half.exr")) < 0.7 * os.path.getsize(os.path.join(folder, "float.exr"))
+
+
 def test_options_page(folder):
     """docs/options.md is what the program writes."""
     page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "options.md")

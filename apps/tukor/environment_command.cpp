@@ -1,8 +1,11 @@
 // `tukor environment`: captured light converted, filtered and measured.
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "command.h"
 #include "environment_actions.h"
+#include "environment_checks.h"
 
 namespace tukor {
 namespace {
@@ -60,7 +63,7 @@ void describe(Options& o, Visitor&& field) {
     field("size", o.size, Measure<int>{"N", {1, 16384}},
           "width of a panorama, edge of a face or of an octahedral or ball picture; as detailed as "
           "IN, "
-          "or 256 for a filtered face");
+          "or 256 for a filtered face, 32 of irradiance");
     field("to", o.to, Spellings<Orientation>(kOrientationSpellings),
           "the program that OUT is oriented for");
     field("format", o.format, Spellings<TexelFormat>(kTexelFormatSpellings),
@@ -95,6 +98,7 @@ struct AllArguments {
     FilterArguments filter;
     DevelopOptions develop{.tonemap = Tonemap::none};
     std::string thumbnail;
+    std::set<std::string> given;  // the options on the command line
 };
 
 enum class Needs { something, nothing };  // of IN
@@ -119,6 +123,17 @@ void addSourceAndTarget(Command& command, AllArguments& all, Needs needs) {
                        (needs == Needs::something ? "" : "; .json .h for --kind sh"))));
     addOptions(command.options, "Target", all.target);
     addOptions(command.options, "Development", all.develop);
+    for (CommandOption& option : command.options) {
+        if (option.names == "--exposure")  // that of `tukor render` is of pictures only
+            option.help =
+                "each stop doubles the radiance, in every type of file, chains, harmonics and the "
+                "sun; 0 leaves it as it is";
+        option.read = [&all, name = option.names,
+                       read = std::move(option.read)](const std::vector<std::string>& texts) {
+            all.given.insert(name);
+            read(texts);
+        };
+    }
 }
 
 Command convertCommand() {
@@ -133,6 +148,7 @@ Command convertCommand() {
             "  tukor environment convert studio -o studio.hdr --size 2048\n"
             "  tukor environment convert probe.jpg --in-layout ball -o panorama.hdr\n"
             "  tukor environment convert noon.exr -o sunless.exr --sun sun.json",
+        .check = [all] { checkGiven(all->given, all->target.out, std::nullopt); },
         .run = [all] { return convertEnvironment(all->source, all->target, all->develop); }};
     addSourceAndTarget(command, *all, Needs::something);
     return command;
@@ -149,9 +165,11 @@ Command filterCommand() {
             "  tukor environment filter street.hdr -o level_{}.exr --kind charlie\n"
             "  tukor environment filter street.hdr -o light.h --kind sh --quantity irradiance\n"
             "  tukor environment filter -o brdf.exr --kind brdf --size 128",
-        .run = [all] {
-            return filterEnvironment(all->source, all->target, all->filter, all->develop);
-        }};
+        .check = [all] { checkGiven(all->given, all->target.out, all->filter.kind); },
+        .run =
+            [all] {
+                return filterEnvironment(all->source, all->target, all->filter, all->develop);
+            }};
     addOptions(command.options, "Filter", all->filter);
     addSourceAndTarget(command, *all, Needs::nothing);  // --kind brdf
     return command;
