@@ -345,6 +345,24 @@ def test_environment_exposure(folder):
     assert abs(suns[1]["irradiance"][1] / suns[0]["irradiance"][1] - 2) < 1e-3, suns
 
 
+def test_environment_clipping(folder):
+    """What a format cannot hold is said once, with what holds it."""
+    run("environment", "convert", "sky", "-o", "sky.exr", "--size", "256", "--exposure", "8", folder=folder)
+
+    def said(out, *more):
+        return run("environment", "convert", "sky.exr", "-o", out, *more, folder=folder)[1]
+
+    for out, more, limit in (("a.ktx2", [], "65504, the most that half"), ("a.dds", ["--format", "bc6h"], "65504, the most that bc6h"),
+                             ("a.ktx", ["--format", "rgb9e5"], "65408, the most that rgb9e5"), ("a.exr", ["--format", "half"], "65504, the most that half"),
+                             ("a_{}.exr", ["--exr-pixels", "half"], "65504, the most that half")):
+        text = said(out, *more)
+        assert text.count("\n") == 1 and f" above {limit} holds" in text and "--format float keeps it, --sun FILE" in text, text
+        share = float(re.search(r"clipped: (\S+) % of the light", text).group(1))
+        assert 20 < share < 100, text
+    for out, more in (("a.exr", []), ("a.hdr", []), ("a.png", []), ("a.ktx2", ["--format", "float"]), ("a.ktx2", ["--exposure", "-8"])):
+        assert said(out, *more) == "", (out, more)
+
+
 def test_environment_filtered_sizes(folder):
     """`--size` is the width of a panorama and the edge of a face or picture, whatever is filtered."""
     for kind, more in (("ggx", ["--levels", "3"]), ("irradiance", []), ("blur", [])):

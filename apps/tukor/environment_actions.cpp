@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -95,6 +96,28 @@ std::string levelPath(const std::string& out, std::size_t level) {
     const auto dot = hole != std::string::npos ? hole : out.rfind('.');
     return fmt::format("{}{}{}{}", out.substr(0, dot), hole != std::string::npos ? "" : "_", level,
                        hole != std::string::npos ? "_" + out.substr(dot) : out.substr(dot));
+}
+
+/// About what the format cannot hold of the files of one environment.
+void warnOfClipping(const SourceArguments& from, const TargetArguments& to,
+                    std::span<const EncodedFile> files) {
+    Clipping all;
+    for (const EncodedFile& file : files) {
+        all.most = file.clipping.most;
+        all.pixels += file.clipping.pixels;
+        all.lost += file.clipping.lost;
+        all.whole += file.clipping.whole;
+    }
+    if (all.pixels == 0) return;
+    std::string_view name = "half";
+    for (const auto& [format, spelling] : kTexelFormatSpellings)
+        if (to.format == format) name = spelling;
+    warn(fmt::format(
+        "{}: {} above {:.0f}, the most that {} holds, {} clipped: {:.3g} % of the light; "
+        "--format float keeps it{}",
+        to.out, all.pixels == 1 ? "1 pixel" : fmt::format("{} pixels", all.pixels), all.most, name,
+        all.pixels == 1 ? "was" : "were", 100.0 * all.lost / all.whole,
+        from.sun.empty() ? ", --sun FILE takes a sun out" : ""));
 }
 
 /// The layout asked for, or what the name of the file suggests.
@@ -220,6 +243,7 @@ int convertEnvironment(const SourceArguments& from, const TargetArguments& to,
     if (files.empty()) return stopped();
     writeFiles(reading.sun);
     writeFiles(files);
+    warnOfClipping(from, to, files);
     return 0;
 }
 
@@ -250,6 +274,7 @@ int filterEnvironment(const SourceArguments& from, const TargetArguments& to,
     if (chain && hasTextureExtension(to.out)) {
         files = encodeLevels(to.out, levels, target, encoding);
         if (files.empty()) return stopped();
+        warnOfClipping(from, to, files);
     } else {
         for (std::size_t level = 0; level < levels.size(); ++level) {
             WorkSource result;
@@ -258,6 +283,8 @@ int filterEnvironment(const SourceArguments& from, const TargetArguments& to,
             std::vector<EncodedFile> some = encodeWork(chain ? levelPath(to.out, level) : to.out,
                                                        std::move(result), target, encoding);
             if (some.empty()) return stopped();
+            // The other levels are means of it.
+            if (level == 0) warnOfClipping(from, to, some);
             std::move(some.begin(), some.end(), std::back_inserter(files));
         }
     }

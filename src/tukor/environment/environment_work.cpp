@@ -220,7 +220,12 @@ std::vector<EncodedFile> encodeLevels(const std::string& path, std::span<const C
         std::vector<EncodedFile> files;
         auto bytes =
             encodeTexture(textureFromCubes(stored), lowerExtension(path), target.texture, progress);
-        if (!bytes.empty()) files.push_back({path, std::move(bytes)});
+        if (bytes.empty()) return files;
+        Clipping clipping{largestOf(target.texture.texels)};
+        if (std::isfinite(clipping.most))
+            for (const CubeFace face : kCubeFaces)
+                addClipping(clipping, pictureOfFace(stored.front(), face), PixelAreas::face);
+        files.push_back({path, std::move(bytes), clipping});
         return files;
     };
     if (target.to == Orientation::opengl) return encoded(levels);
@@ -241,8 +246,15 @@ std::vector<EncodedFile> encodeWork(const std::string& path, WorkSource source,
     const Progress making = partOf(watch, 0.0f, 0.5f), encoding = partOf(watch, 0.5f, 1.0f);
     std::vector<EncodedFile> files;
     const auto add = [&](const std::string& file, const Image& image, const Progress& part) {
-        if (!stopped)
-            files.push_back({file, encodeImage(image, lowerExtension(file), target.picture, part)});
+        if (stopped) return;
+        const std::string extension = lowerExtension(file);
+        Clipping clipping{largestOf(TexelFormat::rgba16f)};
+        if (extension == ".exr" && target.picture.exrPixels == ExrPixels::half)
+            addClipping(clipping, image,
+                        target.form == PictureForm::equirect ? PixelAreas::equirect
+                        : target.form == PictureForm::faces  ? PixelAreas::face
+                                                             : PixelAreas::equal);
+        files.push_back({file, encodeImage(image, extension, target.picture, part), clipping});
     };
     const std::optional<int> size = target.size;
     switch (target.form) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tukor/base/progress.h"
+#include "tukor/environment/clipping.h"
 #include "tukor/environment/cube_map.h"
 #include "tukor/environment/orientation.h"
 #include "tukor/image/image_file.h"
@@ -64,6 +65,7 @@ void checkWorkTarget(const std::string& path, PictureForm form);
 struct EncodedFile {
     std::string path;
     std::vector<std::byte> bytes;
+    Clipping clipping = {};  // of the first level
 };
 
 /// The files of an environment, none of them written yet; a texture file takes a cube map and all
