@@ -38,6 +38,7 @@ THIRD_PARTY = [
     (r"EGL/", "src/tukor/gl/context.cpp apps/tukor/view"),
     (r"GLES[23]/", "src/tukor/gl apps/tukor/view apps/web tests"),
     (r"GLFW/", "apps/tukor"),
+    (r"unwind\.h$", "apps/web/unwind.cpp"),
     (r"imgui", "apps/tukor"),
     (r"CLI/", "apps/tukor"),
     (r"emscripten[./]", "apps/web src/tukor/base/number_text.cpp"),

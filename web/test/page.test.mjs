@@ -19,9 +19,9 @@ async function audit(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join(" ")}`);
 }
 
-async function visit(path, from = browser) {
-  const page = await from.blank({ deviceScaleFactor: 0.25 }); // SwiftShader draws it
-  await page.goto(`${from.origin}${path}`);
+async function visit(path) {
+  const page = await browser.blank({ deviceScaleFactor: 0.25 }); // SwiftShader draws it
+  await page.goto(`${browser.origin}${path}`);
   await page.waitForFunction(() => document.querySelector("tukor-view").loaded, null, { timeout: 120000 });
   return page;
 }
@@ -75,8 +75,7 @@ const notice = (page, text) => page.waitForFunction((text) => document.querySele
 const choices = (page, list) => page.evaluate((list) => [...document.querySelectorAll(`${list} option`)].map(({ value }) => value), list);
 
 test("the editor's lists are the library's", async () => {
-  const plain = await open(files); // the messages of the library's errors are empty where it has threads
-  const page = await visit("/editor.html", plain);
+  const page = await visit("/editor.html");
   assert.equal(await page.inputValue("#tone-map"), "neutral");
   const shapes = await choices(page, "#src");
   await page.fill("#material", "unobtainium");
@@ -85,12 +84,11 @@ test("the editor's lists are the library's", async () => {
   await page.evaluate(() => (document.querySelector("tukor-view").src = "cone"));
   await notice(page, `expected a file or one of ${shapes.join(", ")}`);
   assert.equal(shapes.length, 8);
-  await plain.close();
+  await page.context().close();
 });
 
 test("the editor writes dropped files and no refused material, and forgets notices and materials", async () => {
-  const plain = await open(files); // the messages of the library's errors are empty where it has threads
-  const page = await visit("/editor.html", plain);
+  const page = await visit("/editor.html");
   await page.selectOption("#fidelity", "single"); // which is quick
   await page.fill("#material", "gold");
   await page.locator("#material").blur();
@@ -109,7 +107,7 @@ test("the editor writes dropped files and no refused material, and forgets notic
   await page.selectOption("#src", "tumbler");
   await page.waitForFunction(() => document.querySelector("#command").value.startsWith("tukor render tumbler --environment mine.hdr "));
   assert.deepEqual(await choices(page, "#src [value='']"), []);
-  await plain.close();
+  await page.context().close();
 });
 
 test("files dropped together are a model with those that it names; its textures are no environments", async () => {
