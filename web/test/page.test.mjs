@@ -144,7 +144,7 @@ test("in the editor a click on a part chooses it, and HTML and command can be co
   await page.fill("#material", "flint-glass");
   await page.locator("#material").blur();
   assert.equal(await page.getAttribute("tukor-view", "material"), "glass=flint-glass");
-  await page.waitForFunction(() => document.querySelector("tukor-view").command.includes("sky"));
+  await page.waitForFunction(() => /sky.*flint-glass/.test(document.querySelector("#html").value) && document.querySelector("#command").value.includes("sky"));
   for (const [what, expected] of [["html", /<tukor-view src="tumbler" environment="sky" material="glass=flint-glass"[^>]* alt="tumbler"[^>]*camera-controls><\/tukor-view>/], ["command", /^tukor render tumbler --material glass=flint-glass --environment sky /]]) {
     await page.click(`#copy-${what}`);
     await page.waitForFunction(() => document.querySelector("#notice").textContent === "Copied");

@@ -17,9 +17,17 @@ public:
 
     void clear() noexcept { samples_ = 0; }
     /// Those of a ground that is lit and rendered so.
+#ifdef __EMSCRIPTEN__  // a page gathers none
+    [[nodiscard]] static constexpr int samples(const RenderOptions&) noexcept {
+        return 0;
+    }
+#else
     [[nodiscard]] int samples(const RenderOptions& picture) const noexcept;
+#endif
 
-    [[nodiscard]] const Texture& mean() const noexcept { return means_[current_]; }
+    [[nodiscard]] const Texture& mean() const noexcept {
+        return means_[current_];
+    }
     /// The sharpest level of mean() on which what is left to chance is hardly seen.
     [[nodiscard]] float level() const noexcept;
 

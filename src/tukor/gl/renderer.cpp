@@ -317,8 +317,11 @@ void Renderer::drawTraced(const Subject& subject, const Look& look, const View& 
     std::optional<TracedDrawer::Ground> ground;
     if (picture.samples != 1)
         ground = groundOf(picture, TracedDrawer::GroundUse::traced);
-    else if (groundLight_.samples(picture) > 0)
+    else if (groundLight_.samples(picture) > 0) {
         ground = groundOf(picture, TracedDrawer::GroundUse::known);
+        bindTexture(kUnits.groundLight, groundLight_.mean());
+        if (ground) ground->level = groundLight_.level();
+    }
     const bool count = counting_ == Counting::all && !subject.options.comparison;
     traced_.draw(tracedScene_, around.texture,
                  {view, subject.window, picture, look.fidelity, look.fresnel, turn,
@@ -341,9 +344,7 @@ std::optional<TracedDrawer::Ground> Renderer::groundOf(const RenderOptions& pict
         {middle.x, *picture.ground, middle.z},
         kGroundSize * std::max(bounds_.empty() ? 1.0f : bounds_.radius(), 1e-3f),
         around.chain.bindGround(kUnits.ground, suns),
-        use,
-        groundLight_.level()};
-    bindTexture(kUnits.groundLight, groundLight_.mean());
+        use};
     if (ground.irradiance == glm::vec3(0.0f)) return std::nullopt;
     return ground;
 }

@@ -25,7 +25,7 @@ public:
         float halfWidth;
         glm::vec3 irradiance;
         GroundUse use;
-        float level;  // of what is known
+        float level = 0.0f;  // of what is known
     };
     /// One frame: `options` but with the fidelity and Fresnel form given beside it.
     struct Frame {
