@@ -250,6 +250,20 @@ def test_interrupt_keeps_the_picture(folder):
     assert os.path.getsize(out) > 1000
 
 
+def test_ignored_interrupts_stay_ignored(folder):
+    """As in the background of a shell, or under nohup."""
+    out = os.path.join(folder, "a.png")
+    process = subprocess.Popen([PROGRAM, "render", "torus-knot", "--size", "320x180", "--time", "4", "-o", out],
+                               stderr=subprocess.PIPE, text=True,
+                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+    time.sleep(1.5)
+    process.send_signal(signal.SIGINT)
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 0 and os.path.getsize(out) > 1000, (process.returncode, err)
+
+
 def test_progress_on_a_terminal(folder):
     """One line, written over again and wiped away; nothing of it where standard error is no terminal."""
     command = ["render", "torus-knot", "--size", "320x180", "--samples", "64", "-o", os.path.join(folder, "a.png")]

@@ -1,11 +1,16 @@
 #include "interrupt.h"
 
+#include <array>
 #include <csignal>
+#include <cstddef>
 
 namespace tukor {
 namespace {
 
+constexpr std::array kSignals{SIGINT, SIGTERM};
+
 volatile std::sig_atomic_t signalled = 0;
+std::array<void (*)(int), kSignals.size()> before{};
 
 extern "C" void remember(int signal) {
     signalled = 1;
@@ -16,13 +21,15 @@ extern "C" void remember(int signal) {
 
 InterruptWatch::InterruptWatch() {
     signalled = 0;
-    std::signal(SIGINT, remember);
-    std::signal(SIGTERM, remember);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+        before[i] = std::signal(kSignals[i], remember);
+        // whoever started the program under nohup or in the background wants it deaf
+        if (before[i] == SIG_IGN) std::signal(kSignals[i], SIG_IGN);
+    }
 }
 
 InterruptWatch::~InterruptWatch() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], before[i]);
 }
 
 bool InterruptWatch::interrupted() noexcept {

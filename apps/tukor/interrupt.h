@@ -3,7 +3,8 @@
 
 namespace tukor {
 
-/// While it lives, the first SIGINT or SIGTERM is remembered instead of ending the program.
+/// While it lives, the first SIGINT or SIGTERM is remembered instead of ending the program,
+/// unless it was ignored. One at a time.
 class InterruptWatch {
 public:
     InterruptWatch();
