@@ -33,6 +33,8 @@ int render(const RenderArguments& arguments) {
                                                  ? LookUps::panorama
                                                  : LookUps::cube);
     if (!arguments.quiet) {
+        for (const std::string& unused : unusedInFile(arguments.out, arguments.session))
+            warn(unused);
         for (const std::string& warning : session.warnings()) warn(warning);
     }
     const InterruptWatch watch;
@@ -48,9 +50,12 @@ int render(const RenderArguments& arguments) {
             return !InterruptWatch::interrupted();
         });
     }
-    savePicture(arguments.out, rendering, session);
+    savePicture(arguments.out, rendering, session.options());
     if (!arguments.quiet) {
-        for (const std::string& warning : warningsOf(rendering)) warn(warning);
+        if (!InterruptWatch::interrupted()) {  // else it is known why it is not what was asked
+            for (const std::string& warning : warningsOf(rendering, session))
+                warn(fmt::format("{}: {}", arguments.out, warning));
+        }
         const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
         if (isatty(STDERR_FILENO) == 1) {
             fmt::print(stderr, "{}: {}\n", arguments.out, summaryOf(rendering, gone.count()));

@@ -129,7 +129,8 @@ def size_of(path):
 
 def test_window(folder):
     """Every way to move, a save, the command that reproduces it, resizing, idleness."""
-    viewer = Viewer(folder, "torus-knot", "--fidelity", "single", "--size", "640x360", "--samples", "16")
+    viewer = Viewer(folder, "torus-knot", "--fidelity", "single", "--size", "640x360", "--samples", "16", "--renderer",
+                    "trace", "--error", "2", "--aov", "depth")  # which are for trace: said, and not copied
     xdotool("key", "Tab")  # hides the panel, so that all of the picture takes the mouse
     first = viewer.picture()
     assert size_of(first) == (640, 360)
@@ -153,8 +154,10 @@ def test_window(folder):
     words = copied_command(viewer)
     assert words[:3] == ["tukor", "render", "torus-knot"] and words[-2:] == ["-o", "picture.png"], words
     again = os.path.join(folder, "again.png")
-    subprocess.run([PROGRAM, *words[1:-1], again, "--renderer", "gl"], check=True)
+    subprocess.run([PROGRAM, *words[1:-1], again], check=True)
     assert rmse(far, again) < 0.5, f"another picture: {words}"
+    with open(far, "rb") as file:
+        assert b"--samples 16 --fidelity single --renderer gl" in file.read(), "the picture tells of another command"
 
     xdotool("key", "Home")
     home = viewer.picture()

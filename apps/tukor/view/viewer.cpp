@@ -34,12 +34,13 @@ class Viewer {
 
 public:
     explicit Viewer(const SessionOptions& options)
-        : session_(options),
-          wanted_(options),
+        : session_(windowOptions(options)),
+          wanted_(session_.options()),
           window_(options.quality.size.width, options.quality.size.height, "tukor") {
-        for (const std::string& warning : session_.warnings()) {
-            notices_.add(Notices::Kind::news, warning);
+        for (const std::string& unused : unusedInWindow(options)) {
+            notices_.add(Notices::Kind::news, unused);
         }
+        sayWarnings();
     }
 
     int run() {
@@ -229,9 +230,16 @@ private:
         }
     }
 
+    /// Those of a picture of so many samples a pixel: gl's own choice for files is another one.
+    [[nodiscard]] SessionOptions optionsOf(int samples) const {
+        SessionOptions options = session_.options();
+        options.quality.samples = samples;
+        return options;
+    }
+
     void serve(const PanelRequests& requests) {
         if (requests.copyCommand) {
-            window_.setClipboard(commandLine("tukor render", session_.options()) +
+            window_.setClipboard(commandLine("tukor render", optionsOf(samplesWanted())) +
                                  " -o picture.png");
             notices_.add(Notices::Kind::news, "the command is in the clipboard");
         }
@@ -243,7 +251,7 @@ private:
         screenshotWanted_ = false;
         try {
             const std::filesystem::path path = freshPicturePath(std::filesystem::current_path());
-            savePicture(path, renderer_.read(), session_);
+            savePicture(path, renderer_.read(), optionsOf(renderer_.accumulatedSamples()));
             notices_.add(Notices::Kind::news, "saved " + path.string());
         } catch (const Error& error) {
             notices_.add(Notices::Kind::trouble, error.what());

@@ -21,12 +21,27 @@
 namespace tukor {
 namespace {
 
-/// The first option that gl does not know what to do with; empty when there is none.
-std::string_view onlyForTrace(const QualityOptions& quality) {
-    if (quality.error) return "error";
-    if (quality.seconds) return "time";
-    if (!quality.layers.empty()) return "aov";
-    return {};
+/// The options that gl does not know what to do with.
+std::vector<std::string_view> onlyForTrace(const QualityOptions& quality) {
+    std::vector<std::string_view> names;
+    if (quality.error) names.emplace_back("error");
+    if (quality.seconds) names.emplace_back("time");
+    if (!quality.layers.empty()) names.emplace_back("aov");
+    return names;
+}
+
+/// Where a picture ends far above the error that it was to have; empty where it does not.
+std::string missedError(const Rendering& rendering, const QualityOptions& quality) {
+    constexpr double kUsual = 1.0;     // that of pictures for which nothing is said
+    constexpr double kFarAbove = 1.5;  // what is reported is within that factor of the truth
+    const bool limited = quality.seconds || (quality.samples && !quality.error);
+    const double aim = quality.error ? double(*quality.error) : kUsual;
+    if (limited || !rendering.error || *rendering.error <= kFarAbove * aim) return {};
+    std::string text = fmt::format("expected RMSE {:.1f} after {:.0f} samples a pixel, ",
+                                   *rendering.error, rendering.samplesPerPixel);
+    if (!quality.error) return text + "1 is usual: --error 1 goes on, --samples N says how far";
+    text += fmt::format("{} was asked", *quality.error);
+    return quality.samples ? text + ": a larger --samples goes on" : text;
 }
 
 }  // namespace
@@ -36,12 +51,53 @@ Renderer rendererFor(const SessionOptions& options) noexcept {
     return TUKOR_TRACE ? Renderer::trace : Renderer::gl;
 }
 
+SessionOptions windowOptions(SessionOptions options) {
+    options.quality.renderer = Renderer::gl;
+    options.quality.error.reset();
+    options.quality.seconds.reset();
+    options.quality.layers.clear();
+    return options;
+}
+
+std::vector<std::string> unusedInWindow(const SessionOptions& options) {
+    std::vector<std::string> all;
+    if (options.quality.renderer == Renderer::trace)
+        all.emplace_back("--renderer trace: the window draws by gl");
+    for (const std::string_view name : onlyForTrace(options.quality)) {
+        all.push_back(fmt::format("--{} is for the renderer trace; the window draws by gl", name));
+    }
+    return all;
+}
+
 void requireWritablePicture(const std::filesystem::path& out, const SessionOptions& options) {
     checkSavable(out);
     if (!options.quality.layers.empty() && lowerExtension(out) != ".exr") {
         throw Error(fmt::format("{}: only .exr holds the layers of --aov", out.string()));
     }
     requireWritable(out);
+}
+
+std::vector<std::string> unusedInFile(const std::filesystem::path& out,
+                                      const SessionOptions& options) {
+    const std::string extension = lowerExtension(out);
+    const bool jpeg = extension == ".jpg" || extension == ".jpeg";
+    const bool radiance = extension == ".exr" || extension == ".hdr";
+    std::vector<std::string> all;
+    const DevelopOptions usual;
+    const DevelopOptions& develop = options.develop;
+    const auto check = [&](bool unused, std::string_view option, std::string_view why) {
+        if (unused) all.push_back(fmt::format("{}: --{} {}", out.string(), option, why));
+    };
+    check(options.light.background == Background::none && (jpeg || extension == ".hdr"),
+          "background none", "is black here; .png and .exr hold what is clear");
+    check(develop.exposureStops != usual.exposureStops && radiance, "exposure",
+          "is for .png and .jpg; .exr and .hdr keep radiance");
+    check(develop.tonemap != usual.tonemap && radiance, "tonemap",
+          "is for .png and .jpg; .exr and .hdr keep radiance");
+    check(develop.pngDepth != usual.pngDepth && extension != ".png", "png-depth", "is for .png");
+    check(develop.jpegQuality != usual.jpegQuality && !jpeg, "jpeg-quality", "is for .jpg");
+    check(develop.exrPixels != usual.exrPixels && extension != ".exr", "exr-pixels", "is for .exr");
+    return all;
 }
 
 std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {
@@ -56,9 +112,10 @@ std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {
 Rendering renderPicture(const Session& session, const RenderProgress& progress) {
     const RenderOptions options = session.renderOptions();
     if (rendererFor(session.options()) == Renderer::gl) {
-        const std::string_view needsTrace = onlyForTrace(session.options().quality);
-        if (!needsTrace.empty()) {
-            throw Error(fmt::format("--{} is for the renderer trace, not for gl", needsTrace));
+        const auto needTrace = onlyForTrace(session.options().quality);
+        if (!needTrace.empty()) {
+            throw Error(
+                fmt::format("--{} is for the renderer trace, not for gl", needTrace.front()));
         }
 #if TUKOR_GL
         return gl::render(session.scene(), session.environment(), session.camera(), options,
@@ -76,8 +133,8 @@ Rendering renderPicture(const Session& session, const RenderProgress& progress) 
 }
 
 void savePicture(const std::filesystem::path& out, const Rendering& rendering,
-                 const Session& session) {
-    const DevelopOptions& develop = session.options().develop;
+                 const SessionOptions& options) {
+    const DevelopOptions& develop = options.develop;
     SaveOptions save;
     save.tonemap = develop.tonemap;
     save.exposureStops = develop.exposureStops;
@@ -86,8 +143,8 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
     save.exrPixels = develop.exrPixels;
     save.metadata = {
         {"Software", "tukor " + versionText()},
-        {"command", commandLine("tukor render", session.options())},
-        {"options", jsonFromOptions(session.options())},
+        {"command", commandLine("tukor render", options)},
+        {"options", jsonFromOptions(options)},
     };
     if (rendering.rays > 0) save.metadata.push_back({"rays", fmt::format("{}", rendering.rays)});
     const std::uint64_t faults = rendering.leaks + rendering.inconsistencies;
@@ -110,16 +167,24 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
     saveExrLayers(out, layers, save);
 }
 
-std::vector<std::string> warningsOf(const Rendering& rendering) {
+std::vector<std::string> warningsOf(const Rendering& rendering, const Session& session) {
+    std::vector<std::string> all;
+    const auto& parts = session.scene().parts;
+    const bool clear = std::any_of(parts.begin(), parts.end(), [](const Part& part) {
+        return part.material.kind == MaterialKind::dielectric;
+    });
     const std::uint64_t faults = rendering.leaks + rendering.inconsistencies;
-    // Fewer than one ray in ten million is single precision at work, not a hole that could be
-    // closed.
-    if (faults == 0 || faults < rendering.rays / 10'000'000) return {};
-    return {
-        fmt::format("{} of {} rays left a solid without crossing its surface or met it from the "
-                    "wrong side: close the holes of the model and let its triangles face "
-                    "outwards, or render it with --fidelity single",
-                    faults, rendering.rays)};
+    // Nothing goes on inside of opaque parts, holes or not. Fewer than one ray in ten million is
+    // single precision at work, not a hole that could be closed.
+    if (clear && faults > 0 && faults >= rendering.rays / 10'000'000)
+        all.push_back(fmt::format(
+            "{} of {} rays left a solid without crossing its surface or met it from the "
+            "wrong side: close the holes of the model and let its triangles face "
+            "outwards, or render it with --fidelity single",
+            faults, rendering.rays));
+    if (std::string missed = missedError(rendering, session.options().quality); !missed.empty())
+        all.push_back(std::move(missed));
+    return all;
 }
 
 std::string summaryOf(const Rendering& rendering, double seconds) {

@@ -6,23 +6,88 @@
 namespace tukor {
 namespace {
 
+TEST(WindowOptions, LeaveOutWhatOnlyTraceCanDo) {
+    SessionOptions options;
+    options.quality.renderer = Renderer::trace;
+    options.quality.error = 1.0f;
+    options.quality.seconds = 2.0f;
+    options.quality.layers = {AovLayer::depth};
+    EXPECT_THAT(
+        unusedInWindow(options),
+        testing::ElementsAre(testing::HasSubstr("--renderer trace"), testing::HasSubstr("--error"),
+                             testing::HasSubstr("--time"), testing::HasSubstr("--aov")));
+    const SessionOptions shown = windowOptions(options);
+    EXPECT_EQ(shown.quality.renderer, Renderer::gl);
+    EXPECT_TRUE(unusedInWindow(shown).empty());
+    EXPECT_TRUE(unusedInWindow({}).empty());
+}
+
+Session sessionOf(const std::string& material, const QualityOptions& quality = {}) {
+    SessionOptions options;
+    options.subject.models = {"brilliant"};
+    options.subject.materials = {material};
+    options.light.faceSize = 8;
+    options.quality = quality;
+    return Session(options);
+}
+
 TEST(WarningsOf, CountsTheRaysThatFoundAHole) {
+    const Session glass = sessionOf("glass");
     Rendering rendering;
     rendering.rays = 1000;
-    EXPECT_TRUE(warningsOf(rendering).empty());
+    EXPECT_TRUE(warningsOf(rendering, glass).empty());
     rendering.leaks = 2;
     rendering.inconsistencies = 1;
-    EXPECT_THAT(warningsOf(rendering),
+    EXPECT_THAT(warningsOf(rendering, glass),
                 testing::ElementsAre(testing::StartsWith("3 of 1000 rays left a solid")));
+    EXPECT_TRUE(warningsOf(rendering, sessionOf("gold")).empty());
 }
 
 TEST(WarningsOf, DoesNotBlameAModelForOneRayInTenMillion) {
+    const Session glass = sessionOf("glass");
     Rendering rendering;
     rendering.rays = 30'000'000;
     rendering.inconsistencies = 2;
-    EXPECT_TRUE(warningsOf(rendering).empty());
+    EXPECT_TRUE(warningsOf(rendering, glass).empty());
     rendering.inconsistencies = 3;
-    EXPECT_FALSE(warningsOf(rendering).empty());
+    EXPECT_FALSE(warningsOf(rendering, glass).empty());
+}
+
+TEST(WarningsOf, SayWhereAPictureIsFarFromWhatWasAsked) {
+    Rendering rendering;
+    rendering.samplesPerPixel = 64.0;
+    rendering.error = 1.4;
+    EXPECT_TRUE(warningsOf(rendering, sessionOf("gold")).empty());
+    rendering.error = 5.8;
+    EXPECT_THAT(warningsOf(rendering, sessionOf("gold")),
+                testing::ElementsAre(
+                    "expected RMSE 5.8 after 64 samples a pixel, 1 is usual: --error 1 goes on, "
+                    "--samples N says how far"));
+    EXPECT_THAT(warningsOf(rendering, sessionOf("gold", {.samples = 64, .error = 2.0f})),
+                testing::ElementsAre(testing::EndsWith("2 was asked: a larger --samples goes on")));
+    EXPECT_TRUE(warningsOf(rendering, sessionOf("gold", {.samples = 64})).empty());
+    EXPECT_TRUE(warningsOf(rendering, sessionOf("gold", {.seconds = 1.0f})).empty());
+    EXPECT_TRUE(warningsOf(rendering, sessionOf("gold", {.error = 4.0f})).empty());
+}
+
+TEST(UnusedInFile, NamesWhatTheFormatDoesNotHold) {
+    SessionOptions options;
+    for (const char* out : {"a.png", "a.jpg", "a.exr", "a.hdr"})
+        EXPECT_TRUE(unusedInFile(out, options).empty()) << out;
+    options.light.background = Background::none;
+    options.develop = {1.0f, Tonemap::aces, PngDepth::bits16, 80, ExrPixels::half};
+    const auto said = [&](const char* out) {
+        std::string all;
+        for (const std::string& one : unusedInFile(out, options)) {
+            const auto from = one.find("--") + 2;
+            all += one.substr(from, one.find(' ', from) - from) + " ";
+        }
+        return all;
+    };
+    EXPECT_EQ(said("a.png"), "jpeg-quality exr-pixels ");
+    EXPECT_EQ(said("a.JPG"), "background png-depth exr-pixels ");
+    EXPECT_EQ(said("a.exr"), "exposure tonemap png-depth jpeg-quality ");
+    EXPECT_EQ(said("a.hdr"), "background exposure tonemap png-depth jpeg-quality exr-pixels ");
 }
 
 TEST(SummaryOf, SaysWhatMoreSamplesDoNotTakeOff) {
