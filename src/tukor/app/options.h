@@ -167,14 +167,17 @@ void describe(Options& o, Visitor&& field) {
           "factor on the environment's radiance");
     field(
         "background", o.background, Spellings<Background>(kBackgroundSpellings),
-        "how the environment is drawn behind the model; quad, box and dome give the same picture");
-    field("background-blur", o.backgroundBlur, Measure<float>{"X", {0.0f, 1.0f}},
-          "shows it behind the model as a surface of this roughness would; 0 is sharp");
+        "how the environment is drawn behind the model; quad, box and dome give the same picture; "
+        "none: clear, but what glass refracts is in the picture");
+    field(
+        "background-blur", o.backgroundBlur, Measure<float>{"X", {0.0f, 1.0f}},
+        "shows it behind the model as a surface of this roughness would; 0 is sharp, as is what is "
+        "seen through glass");
     field(
         "light", o.lights, Placeholder{"X,Y,Z[/R,G,B]"},
         "light from one direction besides, seen by rough, diffuse and textured surfaces: where it "
         "comes from, and the colour of a white matt surface that faces it, 1,1,1 unless given; "
-        "may be repeated");
+        "glass is dark in it; may be repeated");
     field("ground", o.ground, Placeholder{"Y|lowest"},
           "a ground at this height, or under the lowest point of the model: it shows the "
           "environment behind it, with the shadows on it and the light that things throw there; a "
@@ -187,7 +190,9 @@ void describe(Options& o, Visitor&& field) {
     const Measure<float> place{"X,Y,Z", {-1e6f, 1e6f}};
     field("eye", o.eye, place, "where the camera stands; chosen to show the whole model");
     field("target", o.target, place, "what it looks at; the centre of the model");
-    field("up", o.up, place, "which way is up in the picture; +Y");
+    field("up", o.up, place,
+          "which way is up in the picture; +Y, as in models and environments, which this does not "
+          "turn");
     field("fov", o.fovDegrees, Measure<float>{"DEG", {0.1f, 175.0f}},
           "vertical field of view; 40, or that of --camera");
     field("camera", o.camera, Placeholder{"NAME"}, "a camera of the model file");
@@ -198,8 +203,7 @@ void describe(Options& o, Visitor&& field) {
     field("size", o.size, Measure<int>{"WxH", {1, 16384}}, "picture size in pixels");
     field("samples", o.samples, Measure<int>{"N", {1, 65536}},
           "camera rays per pixel; the renderer's own choice, which for trace is: where they are "
-          "worth "
-          "most, until --error 1");
+          "worth most, at most 64, until --error 1");
     field(
         "error", o.error, Measure<float>{"E", {0.01f, 100.0f}},
         "go on until the expected RMSE of the picture, in 8-bit sRGB, is below E; --samples is "
@@ -212,7 +216,7 @@ void describe(Options& o, Visitor&& field) {
         "further layers of an .exr, separated by commas: distance from the eye in metres, shading "
         "normal, number of the part, longest light path (trace)");
     field("seed", o.seed, Measure<int>{"N", {0, 2147483647}},
-          "another one gives other noise of the same size (trace)");
+          "another one gives other noise of the same size (trace; gl at double and exact)");
     field(
         "fidelity", o.fidelity, Spellings<Fidelity>(kFidelitySpellings),
         "single: the textbook's one reflection and one refraction at the first surface; double: a "
