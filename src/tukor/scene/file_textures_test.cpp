@@ -113,7 +113,8 @@ TEST_F(FileTexturesTest, GlassStaysClear) {
 }
 
 TEST_F(FileTexturesTest, WhatHidesMostOfWhatIsBehindIsNoGlass) {
-    const Finish& pane = *triangleOf("newmtl m\nd 0.7\n").parts.at(0).material.finish;
+    const Scene scene = triangleOf("newmtl m\nd 0.7\n");
+    const Finish& pane = *scene.parts.at(0).material.finish;
     EXPECT_EQ(pane.alphaMode, AlphaMode::blend);
     EXPECT_FLOAT_EQ(pane.alpha, 0.7f);
     EXPECT_EQ(triangleOf("newmtl m\nd 1\n").parts.at(0).material.finish->alphaMode,
