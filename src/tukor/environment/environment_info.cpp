@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "tukor/environment/clipping.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/equirect.h"
 #include "tukor/environment/harmonics.h"
@@ -26,11 +27,11 @@ struct TexelRange {
     std::size_t aboveHalf = 0;  // texels with a component that half cannot hold
 
     void add(std::span<const glm::vec3> texels) {
-        constexpr float kLargestHalf = 65504.0f;
+        const float largest = largestOf(TexelFormat::rgba16f);
         for (const glm::vec3& texel : texels) {
             least = glm::min(least, texel);
             most = glm::max(most, texel);
-            aboveHalf += std::max({texel.x, texel.y, texel.z}) > kLargestHalf ? 1 : 0;
+            aboveHalf += std::max({texel.x, texel.y, texel.z}) > largest ? 1 : 0;
         }
     }
 };

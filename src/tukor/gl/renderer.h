@@ -142,7 +142,7 @@ private:
     [[nodiscard]] bool centred(const Subject& subject) const;
     [[nodiscard]] bool firstHitsHelp(const Subject& subject) const;
     void drawTraced(const Subject& subject, const Look& look, const View& view);
-    /// Nothing where the options ask for none, or all is dark. What it needs is bound.
+    /// Nothing where the options ask for none, or all is dark. Binds what lights it.
     [[nodiscard]] std::optional<TracedDrawer::Ground> groundOf(const RenderOptions& picture,
                                                                TracedDrawer::GroundUse use);
     /// Scene or light is another one.
