@@ -63,7 +63,8 @@ TUKOR_FN Refraction refractDirection(vec3 d, vec3 n, float eta) {
     r.total = g2 <= 0.0f;
     r.cosThetaT = sqrt(max(g2, 0.0f)) / eta;
     vec3 parallel = d + c * n;
-    r.direction = normalize(parallel / eta - r.cosThetaT * n);
+    vec3 t = parallel / eta - r.cosThetaT * n;
+    r.direction = t * (1.5f - 0.5f * dot(t, t));  // unit but for rounding: a step of Newton's
     return r;
 }
 

@@ -22,6 +22,7 @@
 // what it would show if the light had been measured outside.
 #pragma once
 #include "tukor/optics/absorption.h"
+#include "tukor/optics/directions.h"
 #include "tukor/transport/branch.h"
 #include "tukor/transport/rounding.h"
 #include "tukor/transport/scattering.h"
@@ -108,21 +109,23 @@ TUKOR_FN Deposits escape(TUKOR_INOUT(Tree) tree) {
     return deposits;
 }
 
+/// Lecture rows 13 and 14, each on its side of the facet.
 TUKOR_FN Branch reflectedBranch(Branch at, NormalChange change, Encounter met, Scattering s) {
     Branch branch = at;
     branch.footprint = reflectedFootprint(at.footprint, change, met.face, at.direction);
-    branch.direction = s.reflected;
-    branch.origin = leavingFrom(at.origin, s.reflected);
+    branch.direction = onSide(reflectDirection(at.direction, met.face.n), met.face.ng, 1.0f);
+    branch.origin = leavingFrom(at.origin, branch.direction);
     branch.throughput = at.throughput * s.R;
     return branch;
 }
 
 TUKOR_FN Branch refractedBranch(Branch at, NormalChange change, Encounter met, Scattering s) {
     Branch branch = at;
-    branch.footprint =
-        refractedFootprint(at.footprint, change, met.face, at.direction, s.eta, s.cosThetaT);
-    branch.direction = s.refracted;
-    branch.origin = leavingFrom(at.origin, s.refracted);
+    Refraction refraction = refractDirection(at.direction, met.face.n, s.eta);
+    branch.footprint = refractedFootprint(at.footprint, change, met.face, at.direction, s.eta,
+                                          refraction.cosThetaT);
+    branch.direction = onSide(refraction.direction, met.face.ng, -1.0f);
+    branch.origin = leavingFrom(at.origin, branch.direction);
     branch.throughput = at.throughput * s.T;
     branch.media = met.beyond;
     return branch;
@@ -197,9 +200,9 @@ TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met,
 
     Scattering s;
     if (hit.kind == kDielectric) {
-        s = clearScattering(met.face, at.direction, to.eta / from.eta, settings.fresnel);
+        s = clearScattering(met.face, to.eta / from.eta, settings.fresnel);
     } else {
-        s = opaqueScattering(hit, met.face, at.direction, from.eta, settings.fresnel);
+        s = opaqueScattering(hit, met.face, from.eta, settings.fresnel);
     }
     NormalChange change = normalChangeOver(at.footprint, hit, met.face);
     if (settings.fidelity != kFidelityExact) {

@@ -1,7 +1,5 @@
-// What one surface does to light that meets it: reflectance and the directions in which it goes on.
-// Shared source.
+// What one surface does to light that meets it: how much of it goes on which way. Shared source.
 #pragma once
-#include "tukor/optics/directions.h"
 #include "tukor/optics/fresnel.h"
 #include "tukor/transport/media.h"
 #include "tukor/transport/surface.h"
@@ -13,34 +11,30 @@ TUKOR_SHARED_USING(optics)
 TUKOR_CONST int kFresnelExact = 0;
 TUKOR_CONST int kFresnelSchlick = 1;
 
-/// Lecture rows 6 and 12 to 14, on the right side of the facet.
+/// Into what shares light is parted.
 struct Scattering {
-    vec3 R;           // reflectance; grey at a dielectric
-    float T;          // transmittance; 0 at opaque surfaces and at total reflection
-    vec3 reflected;   // unit
-    vec3 refracted;   // unit; meaningless where T is 0
-    float eta;        // etaT / etaI; dielectrics only
-    float cosThetaT;  // dielectrics only
+    vec3 R;     // reflectance; grey at a dielectric
+    float T;    // transmittance; 0 at opaque surfaces and at total reflection
+    float eta;  // etaT / etaI; dielectrics only
 };
 
 /// Reflectance of a dielectric in the chosen form; 1 at total reflection.
 ///
 /// The approximation knows no total reflection: it takes the cosine on the thin side.
-TUKOR_FN float dielectricReflectance(float cosThetaI, float cosThetaT, float eta, int fresnel) {
+TUKOR_FN float dielectricReflectance(float cosThetaI, float eta, int fresnel) {
     if (fresnel == kFresnelExact) return fresnelDielectric(cosThetaI, eta);
-    float c = eta < 1.0f ? cosThetaT : cosThetaI;
+    float g2 = scaledCos2ThetaT(cosThetaI, eta);
+    if (g2 <= 0.0f) return 1.0f;
+    float c = eta < 1.0f ? sqrt(g2) / eta : cosThetaI;
     vec3 R0 = reflectanceAtNormal(vec3(eta), vec3(0.0f));
     return fresnelSchlick(c, R0).x;
 }
 
 /// At a mirror or a metal that lies in a medium of index `etaI`.
-TUKOR_FN Scattering opaqueScattering(SurfaceHit hit, Facing face, vec3 d, float etaI, int fresnel) {
+TUKOR_FN Scattering opaqueScattering(SurfaceHit hit, Facing face, float etaI, int fresnel) {
     Scattering s;
     s.T = 0.0f;
     s.eta = 1.0f;
-    s.cosThetaT = 0.0f;
-    s.reflected = onSide(reflectDirection(d, face.n), face.ng, 1.0f);
-    s.refracted = d;
     if (hit.kind == kMirror) {
         s.R = hit.tint;
     } else if (fresnel == kFresnelExact) {
@@ -52,19 +46,12 @@ TUKOR_FN Scattering opaqueScattering(SurfaceHit hit, Facing face, vec3 d, float 
 }
 
 /// Between two dielectrics, `eta` = etaT / etaI.
-TUKOR_FN Scattering clearScattering(Facing face, vec3 d, float eta, int fresnel) {
+TUKOR_FN Scattering clearScattering(Facing face, float eta, int fresnel) {
     Scattering s;
-    Refraction refraction = refractDirection(d, face.n, eta);
-    float R = 1.0f;
-    if (!refraction.total) {
-        R = dielectricReflectance(face.cosThetaI, refraction.cosThetaT, eta, fresnel);
-    }
+    float R = dielectricReflectance(face.cosThetaI, eta, fresnel);
     s.R = vec3(R);
     s.T = 1.0f - R;
     s.eta = eta;
-    s.cosThetaT = refraction.cosThetaT;
-    s.reflected = onSide(reflectDirection(d, face.n), face.ng, 1.0f);
-    s.refracted = onSide(refraction.direction, face.ng, -1.0f);
     return s;
 }
 
