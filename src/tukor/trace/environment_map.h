@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -60,6 +61,12 @@ public:
 
     /// Does what the batch asks for.
     void look(LookUpBatch& batch) const noexcept;
+
+    /// Of the finest level, on average.
+    [[nodiscard]] float texelsPerSteradian() const noexcept {
+        const auto size = static_cast<float>(equivalentFaceSize_);
+        return 6.0f * size * size / (4.0f * std::numbers::pi_v<float>);
+    }
 
     using Texel = LookUpBatch::Texel;
 

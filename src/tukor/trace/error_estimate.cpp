@@ -58,9 +58,9 @@ void boxLine(const float* in, float* out, int count, std::size_t stride) {
     }
 }
 
-/// Means over 5 x 5 pixels, of what is not negative.
-void smooth(std::vector<float>& values, int w, int h) {
-    std::vector<float> rows(values.size());
+/// Means over 5 x 5 pixels, of what is not negative. `rows` is for what comes between.
+void smooth(std::vector<float>& values, int w, int h, std::vector<float>& rows) {
+    rows.resize(values.size());
     const auto stride = static_cast<std::size_t>(w);
     for (int y = 0; y < h; ++y) {
         const std::size_t first = static_cast<std::size_t>(y) * stride;
@@ -122,6 +122,15 @@ void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t cou
     samples[pixel] += count;
 }
 
+void Accumulation::settle(std::size_t pixel, std::uint32_t count) noexcept {
+    PixelSum& sum = sums[pixel];
+    const float scale = static_cast<float>(count) / static_cast<float>(samples[pixel]);
+    sum = {scale * sum.radiance, scale * sum.coverage, scale * sum.rays, scale * sum.doubtful};
+    samples[pixel] = count;
+    halves[pixel] = brightHalves[pixel] = 0.0f;
+    halvesBefore[pixel] = -1.0f;  // tells nothing of how other pixels' differences shrink
+}
+
 float Accumulation::doubt(std::size_t pixel) const noexcept {
     if (sums[pixel].doubtful == glm::vec3(0.0f)) return 0.0f;
     const glm::vec3 all = mean(pixel);
@@ -158,11 +167,12 @@ void ErrorEstimate::update(const Accumulation& picture) {
         rays_[i] = picture.raysEach(i);
     }
     known_ = true;
+    std::vector<float> rows;
     variance_ = raw_;
     bright_ = rawBright_;
-    smooth(variance_, picture.width, picture.height);
-    smooth(bright_, picture.width, picture.height);
-    smooth(rays_, picture.width, picture.height);
+    smooth(variance_, picture.width, picture.height, rows);
+    smooth(bright_, picture.width, picture.height, rows);
+    smooth(rays_, picture.width, picture.height, rows);
 }
 
 std::optional<double> ErrorEstimate::rmse() const noexcept {

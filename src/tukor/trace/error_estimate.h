@@ -35,6 +35,9 @@ struct Accumulation {
     /// Adds `sum`, of `count` new samples, to a pixel.
     void add(std::size_t pixel, const PixelSum& sum, std::uint32_t count) noexcept;
 
+    /// Counts what a pixel has as that of `count` samples: more would not change it.
+    void settle(std::size_t pixel, std::uint32_t count) noexcept;
+
     int width;
     int height;
     bool transparent;

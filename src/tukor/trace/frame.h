@@ -1,5 +1,8 @@
 // What all threads share while one picture is traced.
 #pragma once
+#include <cstdint>
+#include <span>
+
 #include "tukor/optics/spectrum.h"
 #include "tukor/scene/camera.h"
 #include "tukor/scene/render_options.h"
@@ -47,6 +50,8 @@ struct Frame {
     const optics::Spectrum* spectrum = nullptr;  // null: light is not dispersed
     // What camera rays see that meet nothing; null: the environment.
     const EnvironmentMap* backdrop = nullptr;
+    // Of every pixel, row by row, 0 where no surface is seen; empty: not known.
+    std::span<const std::uint8_t> silhouette{};
 };
 
 /// The media that contain a point, by the surfaces that rays from there cross on their way out.

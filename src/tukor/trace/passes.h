@@ -33,6 +33,13 @@ private:
     /// Doubles the samples of the active pixels; those without any get one.
     void pass();
     void tile(int number);
+    /// Whether nothing but what lies behind the scene is seen in a pixel.
+    [[nodiscard]] bool isSky(std::size_t pixel) const noexcept {
+        return !frame_.silhouette.empty() && frame_.silhouette[pixel] == 0;
+    }
+    /// The places, evenly spread, that stand for `count` samples of a pixel of the sky.
+    void addSkySamples(std::vector<CameraSample>& samples, glm::vec2 corner, int target,
+                       std::uint32_t count) const;
     void report(double fraction);
     [[nodiscard]] double elapsed() const;
     [[nodiscard]] std::uint32_t samplesAfter(std::uint32_t now) const noexcept;
@@ -41,6 +48,7 @@ private:
 
     const Frame& frame_;
     PassGoals goals_;
+    int skyLookUps_;  // in a pixel where only the sky is seen, across and down
     const RenderProgress& progress_;
     Accumulation picture_;
     ErrorEstimate estimate_;

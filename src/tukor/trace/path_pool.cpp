@@ -82,23 +82,25 @@ void PathPool::castCameraRays() {
                 firstHits_.push_back({hit, sample});
                 continue;
             }
-            const float weight = samples[sample].weight;
-            const int target = samples[sample].target;
-            PixelSum& sum = sums_[static_cast<std::size_t>(target)];
-            sum.rays += 1.0f;
-            if (!frame_.background) continue;
-            const transport::Branch ray = cameraBranch(samples[sample]);
-            const float solidAngle = transport::footprintSolidAngle(ray.footprint);
-            if (frame_.backdrop) {
-                sum.radiance += weight * frame_.backdrop->radiance(ray.direction, solidAngle);
-                continue;
-            }
-            if (lookUps_.room() < 1) settle();
-            owed_.push_back({glm::vec3(weight), target,
-                             frame_.environment.add(lookUps_, ray.direction, solidAngle)});
+            sums_[static_cast<std::size_t>(samples[sample].target)].rays += 1.0f;
+            miss(samples[sample]);
         }
     }
     counts_.rays += samples.size();
+}
+
+void PathPool::miss(const CameraSample& sample) noexcept {
+    if (!frame_.background) return;
+    PixelSum& sum = sums_[static_cast<std::size_t>(sample.target)];
+    const transport::Branch ray = cameraBranch(sample);
+    const float solidAngle = transport::footprintSolidAngle(ray.footprint);
+    if (frame_.backdrop) {
+        sum.radiance += sample.weight * frame_.backdrop->radiance(ray.direction, solidAngle);
+        return;
+    }
+    if (lookUps_.room() < 1) settle();
+    owed_.push_back({glm::vec3(sample.weight), sample.target,
+                     frame_.environment.add(lookUps_, ray.direction, solidAngle)});
 }
 
 [[gnu::noinline]] void PathPool::collect(const CameraSample& sample,
@@ -136,12 +138,18 @@ void PathPool::settle() noexcept {
     owed_.clear();
 }
 
+[[gnu::always_inline]] inline transport::Medium PathPool::mediumOf(const Path& path,
+                                                                   int number) const noexcept {
+    return frame_.surfaces.medium(number, path.wavelength);
+}
+
 // Everything in one function: passed from one to another, a branch is written in single floats and
 // read in vectors, for which the processor waits.
-[[gnu::flatten, gnu::noinline]] void PathPool::meet(Path& path, RayHit hit) noexcept {
+[[gnu::flatten, gnu::noinline]] void PathPool::meet(Path& path, const RayHit& found) noexcept {
     transport::Branch& ray = path.tree.branch;
     transport::SurfaceHit surface;
     transport::Encounter met;
+    RayHit hit = found;
     if (hit.surface < 0 && ray.media != 0u) hit = withoutRounding(frame_, ray, hit);
     for (int i = 0; i < 2 && hit.surface >= 0; ++i) {
         surface = frame_.surfaces.at(hit, ray.origin, ray.direction);
@@ -175,10 +183,6 @@ void PathPool::settle() noexcept {
         *frame_.spectrum, transport::spectrumSample(path.sampler.pixelSeed, path.sampler.index));
     path.wavelength = chosen.nm;
     transport::filterTree(path.tree, chosen.weight);
-}
-
-transport::Medium PathPool::mediumOf(const Path& path, int number) const noexcept {
-    return frame_.surfaces.medium(number, path.wavelength);
 }
 
 [[gnu::noinline]] bool PathPool::meetRough(Path& path, const RayHit& hit,
@@ -273,6 +277,15 @@ void PathPool::trace(std::span<const CameraSample> samples, std::span<PixelSum> 
     traceConsistently();
 }
 
+void PathPool::lookPast(std::span<const CameraSample> samples, std::span<PixelSum> sums) {
+    sums_ = sums;
+    for (const CameraSample& sample : samples) {
+        sums_[static_cast<std::size_t>(sample.target)].rays += sample.weight;
+        miss(sample);
+    }
+    settle();
+}
+
 void PathPool::traceConsistently() {
     faulty_.clear();
     retakes_ = frame_.retakeFaulty;
@@ -340,7 +353,7 @@ void PathPool::traceAll() {
 
     RayPacket packet;
     // While a packet is cast, the triangles that the one before has met arrive in the cache.
-    std::array<RayHit, kPacketWidth> hits, before;
+    std::array<std::array<RayHit, kPacketWidth>, 2> both;
     for (refill(); alive > 0;) {
         for (std::size_t begin = 0; begin < alive; begin += kPacketWidth) {
             const std::size_t count = std::min<std::size_t>(kPacketWidth, alive - begin);
@@ -350,10 +363,11 @@ void PathPool::traceAll() {
                            tree.branch.skip);
                 ++tree.rays;
             }
+            auto& hits = both[begin / kPacketWidth % 2];
+            const auto& before = both[(begin / kPacketWidth + 1) % 2];
             frame_.caster.cast(packet, static_cast<int>(count), Coherence::none, hits);
             for (std::size_t i = 0; i < count; ++i) frame_.surfaces.prefetch(hits[i]);
             if (begin > 0) meetAll(begin - kPacketWidth, before, kPacketWidth);
-            before = hits;
             if (begin + kPacketWidth >= alive) meetAll(begin, hits, count);
         }
         for (std::size_t i = 0; i < alive;) {

@@ -48,6 +48,8 @@ public:
 
     /// Adds the light of every sample to its sum.
     void trace(std::span<const CameraSample> samples, std::span<PixelSum> sums);
+    /// The same of samples that are known to meet nothing, each as good as a ray by its weight.
+    void lookPast(std::span<const CameraSample> samples, std::span<PixelSum> sums);
 
     [[nodiscard]] const TraceCounts& counts() const noexcept { return counts_; }
 
@@ -78,8 +80,10 @@ private:
     /// Traces all, and what was faulty again, elsewhere.
     void traceConsistently();
     void castCameraRays();
+    /// What a camera ray sees that meets nothing.
+    void miss(const CameraSample& sample) noexcept;
     [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample) const noexcept;
-    void meet(Path& path, RayHit hit) noexcept;
+    void meet(Path& path, const RayHit& found) noexcept;
     /// Light that meets a surface of something that disperses it goes on as that of one wavelength.
     void disperse(Path& path, const transport::Encounter& met) const noexcept;
     [[nodiscard]] transport::Medium mediumOf(const Path& path, int number) const noexcept;

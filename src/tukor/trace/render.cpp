@@ -11,6 +11,7 @@
 #include "tukor/trace/layers.h"
 #include "tukor/trace/passes.h"
 #include "tukor/trace/rough_event.h"
+#include "tukor/trace/silhouette.h"
 
 namespace tukor::trace {
 
@@ -41,6 +42,14 @@ PassGoals goalsOf(const RenderOptions& options) {
     return goals;
 }
 
+/// Drawing a triangle takes about as long as casting a ray or less; a pixel of the sky saves some.
+bool paysToRasterize(const SurfaceTable& surfaces, const RenderOptions& options) {
+    std::size_t triangles = 0;
+    for (const SurfaceTable::Entry& entry : surfaces.entries()) triangles += entry.indices.size();
+    return triangles <=
+           2 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+}
+
 EnvironmentMap blurredMap(const Image& panorama, const RenderOptions& options) {
     return {blurredBackdrop(panorama, options.backgroundBlur), options.environmentRotation,
             options.environmentIntensity};
@@ -68,7 +77,7 @@ Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop,
     const PassGoals goals = goalsOf(options);
     std::optional<optics::Spectrum> spectrum;  // a single sample would have a single colour
     if (surfaces.disperse() && goals.samples > 1) spectrum = optics::visibleSpectrum();
-    const Frame frame{
+    Frame frame{
         .surfaces = surfaces,
         .caster = caster,
         .environment = map,
@@ -85,6 +94,11 @@ Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop,
         .spectrum = spectrum ? &*spectrum : nullptr,
         .backdrop = backdrop,
     };
+    std::vector<std::uint8_t> silhouette;
+    if (paysToRasterize(surfaces, options)) {
+        silhouette = silhouetteOf(surfaces, frame.camera, frame.width, frame.height);
+        frame.silhouette = silhouette;
+    }
     Passes passes(frame, goals, progress);
     passes.run();
 
