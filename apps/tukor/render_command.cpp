@@ -1,6 +1,10 @@
 // `tukor render`: a picture into a file.
 #include <chrono>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -12,15 +16,53 @@
 #include "tukor/app/option_table.h"
 #include "tukor/app/picture.h"
 #include "tukor/app/session.h"
+#include "tukor/app/turntable.h"
 
 namespace tukor {
 namespace {
 
+/// Several pictures from one command.
+struct SeriesOptions {
+    std::optional<int> turntable;
+
+    friend bool operator==(const SeriesOptions&, const SeriesOptions&) = default;
+};
+
+template <OptionsOf<SeriesOptions> Options, class Visitor>
+void describe(Options& o, Visitor&& field) {
+    field("turntable", o.turntable, Measure<int>{"N", {2, 10000}},
+          "N pictures of the model turning once around before a still camera in still light: OUT "
+          "as turn-####.png, whose # become the number; without # turn.png is turn-0001.png and so "
+          "on");
+}
+
 struct RenderArguments {
     SessionOptions session;
+    SeriesOptions series;
     std::string out;
     bool quiet = false;
     bool printOptions = false;
+};
+
+std::filesystem::path pathOf(const RenderArguments& arguments, int index) {
+    return arguments.series.turntable ? numberedPath(arguments.out, index + 1)
+                                      : std::filesystem::path(arguments.out);
+}
+
+/// Says each thing once, whatever the figures and however many pictures it is true of.
+class Warnings {
+public:
+    explicit Warnings(bool quiet) : quiet_(quiet) {}
+    void say(const std::string& text, const std::filesystem::path& out = {}) {
+        std::string what = text;
+        std::erase_if(what, [](char c) { return c >= '0' && c <= '9'; });
+        if (quiet_ || !said_.insert(what).second) return;
+        warn(out.empty() ? text : fmt::format("{}: {}", out.string(), text));
+    }
+
+private:
+    bool quiet_;
+    std::set<std::string> said_;
 };
 
 int render(const RenderArguments& arguments) {
@@ -28,43 +70,48 @@ int render(const RenderArguments& arguments) {
         fmt::print("{}\n", jsonFromOptions(arguments.session));
         return 0;
     }
-    requireWritablePicture(arguments.out, arguments.session);  // before any time is spent
-    const Session session(arguments.session, rendererFor(arguments.session) == Renderer::trace
-                                                 ? LookUps::panorama
-                                                 : LookUps::cube);
-    if (!arguments.quiet) {
-        for (const std::string& unused : unusedInFile(arguments.out, arguments.session))
-            warn(unused);
-        for (const std::string& warning : session.warnings()) warn(warning);
-    }
+    const int count = arguments.series.turntable.value_or(1);
+    // before any time is spent
+    requireWritablePicture(pathOf(arguments, 0), arguments.session);
+    Session session(arguments.session, rendererFor(arguments.session) == Renderer::trace
+                                           ? LookUps::panorama
+                                           : LookUps::cube);
+    const Camera camera = session.camera();
+    Warnings warnings(arguments.quiet);
+    for (const std::string& unused : unusedInFile(arguments.out, arguments.session))
+        warnings.say(unused);
+    for (const std::string& warning : session.warnings()) warnings.say(warning);
     const InterruptWatch watch;
-    const auto start = std::chrono::steady_clock::now();
-    float finished = 0.0f;
-    Rendering rendering;
-    {
-        ProgressBar bar(arguments.quiet ? ProgressBar::Loudness::quiet
-                                        : ProgressBar::Loudness::terminal);
-        rendering = renderPicture(session, [&](float fraction, std::uint64_t rays) {
-            finished = fraction;
-            bar.show(fraction, rays);
-            return !InterruptWatch::interrupted();
-        });
-    }
-    savePicture(arguments.out, rendering, session.options());
-    if (!arguments.quiet) {
-        if (!InterruptWatch::interrupted()) {  // else it is known why it is not what was asked
-            for (const std::string& warning : warningsOf(rendering, session))
-                warn(fmt::format("{}: {}", arguments.out, warning));
+    for (int i = 0; i < count; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        const std::string out = pathOf(arguments, i).string();
+        session.apply(turntableOptions(arguments.session, camera, i, count));
+        float finished = 0.0f;
+        Rendering rendering;
+        {
+            ProgressBar bar(arguments.quiet ? ProgressBar::Loudness::quiet
+                                            : ProgressBar::Loudness::terminal);
+            rendering = renderPicture(session, [&](float fraction, std::uint64_t rays) {
+                finished = fraction;
+                bar.show((static_cast<float>(i) + fraction) / static_cast<float>(count), rays);
+                return !InterruptWatch::interrupted();
+            });
         }
+        if (InterruptWatch::interrupted() && count > 1) {  // one of a series is whole or not there
+            fmt::print(stderr, "tukor: stopped after {} of {} pictures\n", i, count);
+            return kExitInterrupted;
+        }
+        savePicture(out, rendering, session.options());
+        if (InterruptWatch::interrupted()) {  // it is known why it is not what was asked
+            fmt::print(stderr, "tukor: stopped at {:.0f} %; the picture so far is {}\n",
+                       100.0f * finished, out);
+            return kExitInterrupted;
+        }
+        for (const std::string& warning : warningsOf(rendering, session))
+            warnings.say(warning, out);
         const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - start;
-        if (isatty(STDERR_FILENO) == 1) {
-            fmt::print(stderr, "{}: {}\n", arguments.out, summaryOf(rendering, gone.count()));
-        }
-    }
-    if (InterruptWatch::interrupted()) {
-        fmt::print(stderr, "tukor: stopped at {:.0f} %; the picture so far is {}\n",
-                   100.0f * finished, arguments.out);
-        return kExitInterrupted;
+        if (!arguments.quiet && isatty(STDERR_FILENO) == 1)
+            fmt::print(stderr, "{}: {}\n", out, summaryOf(rendering, gone.count()));
     }
     return 0;
 }
@@ -83,6 +130,8 @@ Command renderCommand() {
             "ring.jpg\n"
             "  tukor render torus-knot --eye -1,0,4 --fov 30 --size 640x360 --samples 64 -o "
             "knot.exr\n"
+            "  tukor render ring.stl --model-up z --model-scale 0.001 --turntable 48 -o "
+            "turn-####.png\n"
             "  tukor render sphere --fidelity single -o textbook.png   (one reflection, one "
             "refraction)",
         .check =
@@ -103,6 +152,7 @@ Command renderCommand() {
         option.heading = "Output";
         command.options.push_back(std::move(option));
     }
+    addOptions(command.options, "Output", arguments->series);
     return command;
 }
 

@@ -16,6 +16,7 @@
 
 #include "tukor/base/options.h"
 #include "tukor/image/image_file.h"
+#include "tukor/scene/placement.h"
 #include "tukor/scene/render_options.h"
 
 namespace tukor {
@@ -52,6 +53,8 @@ struct SubjectOptions {
     std::string variant;                 // of the model's own looks; empty: its own choice
     std::string animation;               // of the model's own, by name or number; empty: the first
     std::optional<float> timeSeconds;    // of that animation; none: at rest
+    UpAxis up = UpAxis::y;               // of model files
+    float scale = 1.0f;                  // of their lengths
     std::optional<float> dispersion;     // factor on that of clear materials; none: the files' own
 
     friend bool operator==(const SubjectOptions&, const SubjectOptions&) = default;
@@ -151,6 +154,12 @@ void describe(Options& o, Visitor&& field) {
           "which animation of a glTF model, by name or by number from 0; the first without it");
     field("time-seconds", o.timeSeconds, Measure<float>{"S", {0.0f, 1e6f}},
           "a moment of a glTF model's animation; without it the model stands at rest");
+    field("model-up", o.up, Spellings<UpAxis>(kUpAxisSpellings),
+          "which axis of model files points up: y as in glTF, or z as in most STL and CAD, whose "
+          "front, -y, then faces the camera; built-in shapes stay as they are");
+    field("model-scale", o.scale, Measure<float>{"X", {1e-6f, 1e6f}, true},
+          "factor on the lengths of model files, which are taken as metres: 0.001 for millimetres; "
+          "how much coloured glass absorbs goes by them");
     field("dispersion", o.dispersion, Measure<float>{"X", {0.0f, 100.0f}},
           "factor on the dispersion of clear materials, 1 as measured; without it named materials "
           "have none and those of glTF files what the file says; a single sample shows none");

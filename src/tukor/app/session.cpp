@@ -70,7 +70,9 @@ Scene loadModels(const SubjectOptions& subject) {
     const std::vector<ModelOptions> options = modelOptions(subject);
     Scene scene;
     for (std::size_t i = 0; i < options.size(); ++i) {
-        append(scene, loadModel(subject.models[i], options[i]));
+        Scene model = loadModel(subject.models[i], options[i]);
+        if (!meansShape(subject.models[i])) place(model, subject.up, subject.scale);
+        append(scene, std::move(model));
     }
     return scene;
 }
@@ -197,7 +199,9 @@ void Session::apply(const SessionOptions& options) {
     const bool modelsChange = first || options.subject.models != options_.subject.models ||
                               options.subject.variant != options_.subject.variant ||
                               options.subject.animation != options_.subject.animation ||
-                              options.subject.timeSeconds != options_.subject.timeSeconds;
+                              options.subject.timeSeconds != options_.subject.timeSeconds ||
+                              options.subject.up != options_.subject.up ||
+                              options.subject.scale != options_.subject.scale;
     const bool materialsChange = modelsChange ||
                                  options.subject.materials != options_.subject.materials ||
                                  options.subject.dispersion != options_.subject.dispersion;

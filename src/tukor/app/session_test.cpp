@@ -43,7 +43,8 @@ TEST(GroundFromText, LiesUnderTheModelOrWhereItSays) {
 
 TEST(WithModels, KeepsNothingThatWasAboutTheOldOnes) {
     SessionOptions options;
-    options.subject = {{"a.glb"}, {"gold", "lid=glass"}, "red", "walk", 2.0f, 0.5f};
+    options.subject = {{"a.glb"}, {"gold", "lid=glass"}, "red", "walk", 2.0f, UpAxis::z, 0.001f,
+                       0.5f};
     options.camera.camera = "front";
     options.light.environment = "sky";
     const SessionOptions other = withModels(options, {"b.glb"});

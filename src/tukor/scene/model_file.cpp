@@ -67,7 +67,14 @@ Format formatOf(const fs::path& path, std::span<const std::byte> bytes) {
                     path.string(), fmt::join(shapeNames(), ", ")));
 }
 
-/// Whether a built-in shape is meant, not a file.
+MappedFile opened(const std::string& path) {
+    MappedFile file(path);
+    if (file.bytes().empty()) throw Error(fmt::format("{}: an empty file", path));
+    return file;
+}
+
+}  // namespace
+
 bool meansShape(const std::string& nameOrPath) {
     const fs::path path(nameOrPath);
     if (path.has_parent_path() || path.has_extension()) return false;
@@ -83,14 +90,6 @@ bool meansShape(const std::string& nameOrPath) {
                                 fmt::join(shapes, ", ")));
     return false;
 }
-
-MappedFile opened(const std::string& path) {
-    MappedFile file(path);
-    if (file.bytes().empty()) throw Error(fmt::format("{}: an empty file", path));
-    return file;
-}
-
-}  // namespace
 
 Scene loadModel(const std::string& nameOrPath, const ModelOptions& options) {
     if (meansShape(nameOrPath)) return sceneOf(*makeShape(nameOrPath), options);

@@ -30,6 +30,10 @@ struct ModelOptions {
 /// but none elsewhere. Throws Error.
 [[nodiscard]] Scene loadModel(const std::string& nameOrPath, const ModelOptions& options = {});
 
+/// Whether loadModel() takes that for a built-in shape, not for a file. Throws Error where there is
+/// neither.
+[[nodiscard]] bool meansShape(const std::string& nameOrPath);
+
 /// Whether the extension is that of a model: .gltf .glb .obj .ply .stl, or one that Assimp reads.
 [[nodiscard]] bool hasModelExtension(const std::filesystem::path& path);
 
