@@ -377,6 +377,18 @@ def test_environment_clipping(folder):
         assert said(out, *more) == "", (out, more)
 
 
+def test_render_clipping(folder):
+    """As environment does; a picture that loses nothing, or a quiet program, says nothing."""
+    def said(*more, intensity="1e5"):
+        return small("sphere", "--environment", "sky", "--environment-intensity", intensity, *more, out=os.path.join(folder, "a.exr"))[1]
+
+    text = said("--exr-pixels", "half")
+    assert text.count("\n") == 1 and re.search(r"a\.exr: \d+ pixels above 65504, the most that half holds, were clipped: \S+ % of the light; "
+                                              r"--exr-pixels full keeps it", text), text
+    assert said() == "" and said("--exr-pixels", "half", "--quiet") == ""
+    assert said("--exr-pixels", "half", intensity="1e-3") == ""
+
+
 def test_environment_filtered_sizes(folder):
     """`--size` is the width of a panorama and the edge of a face or picture, whatever is filtered."""
     for kind, more in (("ggx", ["--levels", "3"]), ("irradiance", []), ("blur", [])):

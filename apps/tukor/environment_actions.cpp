@@ -112,12 +112,8 @@ void warnOfClipping(const SourceArguments& from, const TargetArguments& to,
     std::string_view name = "half";
     for (const auto& [format, spelling] : kTexelFormatSpellings)
         if (to.format == format) name = spelling;
-    warn(fmt::format(
-        "{}: {} above {:.0f}, the most that {} holds, {} clipped: {:.3g} % of the light; "
-        "--format float keeps it{}",
-        to.out, all.pixels == 1 ? "1 pixel" : fmt::format("{} pixels", all.pixels), all.most, name,
-        all.pixels == 1 ? "was" : "were", 100.0 * all.lost / all.whole,
-        from.sun.empty() ? ", --sun FILE takes a sun out" : ""));
+    warn(fmt::format("{}: {}; --format float keeps it{}", to.out, sentenceOf(all, name),
+                     from.sun.empty() ? ", --sun FILE takes a sun out" : ""));
 }
 
 /// The layout asked for, or what the name of the file suggests.

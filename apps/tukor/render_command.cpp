@@ -102,6 +102,8 @@ int render(const RenderArguments& arguments) {
             return kExitInterrupted;
         }
         savePicture(out, rendering, session.options());
+        const std::string clipped = clippedInFile(out, rendering, session.options());
+        if (!clipped.empty()) warnings.say(clipped, out);
         if (InterruptWatch::interrupted()) {  // it is known why it is not what was asked
             fmt::print(stderr, "tukor: stopped at {:.0f} %; the picture so far is {}\n",
                        100.0f * finished, out);

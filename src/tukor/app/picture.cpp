@@ -10,6 +10,7 @@
 #include "tukor/app/version.h"
 #include "tukor/base/error.h"
 #include "tukor/base/file.h"
+#include "tukor/environment/clipping.h"
 #include "tukor/image/image_file.h"
 #if TUKOR_GL
 #include "tukor/gl/render.h"
@@ -185,6 +186,15 @@ std::vector<std::string> warningsOf(const Rendering& rendering, const Session& s
     if (std::string missed = missedError(rendering, session.options().quality); !missed.empty())
         all.push_back(std::move(missed));
     return all;
+}
+
+std::string clippedInFile(const std::filesystem::path& out, const Rendering& rendering,
+                          const SessionOptions& options) {
+    if (lowerExtension(out) != ".exr" || options.develop.exrPixels != ExrPixels::half) return {};
+    Clipping clipping{largestOf(TexelFormat::rgba16f)};
+    addClipping(clipping, rendering.radiance, PixelAreas::equal);
+    if (clipping.pixels == 0) return {};
+    return sentenceOf(clipping, "half") + "; --exr-pixels full keeps it";
 }
 
 std::string summaryOf(const Rendering& rendering, double seconds) {

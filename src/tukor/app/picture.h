@@ -43,6 +43,10 @@ void savePicture(const std::filesystem::path& out, const Rendering& rendering,
 [[nodiscard]] std::vector<std::string> warningsOf(const Rendering& rendering,
                                                   const Session& session);
 
+/// What the file that savePicture writes cuts off the radiance, as a sentence; empty where nothing.
+[[nodiscard]] std::string clippedInFile(const std::filesystem::path& out,
+                                        const Rendering& rendering, const SessionOptions& options);
+
 /// Time, samples, rays and error of a picture in a line.
 [[nodiscard]] std::string summaryOf(const Rendering& rendering, double seconds);
 

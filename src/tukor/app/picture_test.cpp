@@ -97,6 +97,24 @@ TEST(UnusedInFile, NamesWhatTheFormatDoesNotHold) {
     EXPECT_EQ(said("a.hdr"), "background exposure tonemap png-depth jpeg-quality exr-pixels ");
 }
 
+TEST(ClippedInFile, CountsThePixelsThatHalfCutsOff) {
+    SessionOptions options;
+    options.develop.exrPixels = ExrPixels::half;
+    Rendering rendering;
+    rendering.radiance = Image(3, 1);
+    rendering.radiance.at(0, 0) = glm::vec3(65504.0f);
+    EXPECT_EQ(clippedInFile("a.exr", rendering, options), "");
+    rendering.radiance.at(1, 0) = {4.0f * 65504.0f, 0.0f, 0.0f};
+    EXPECT_EQ(clippedInFile("a.EXR", rendering, options),
+              "1 pixel above 65504, the most that half holds, was clipped: 42.9 % of the light; "
+              "--exr-pixels full keeps it");
+    rendering.radiance.at(2, 0) = glm::vec3(65505.0f);
+    EXPECT_THAT(clippedInFile("a.exr", rendering, options), testing::StartsWith("2 pixels above"));
+    EXPECT_EQ(clippedInFile("a.hdr", rendering, options), "");
+    options.develop.exrPixels = ExrPixels::full;
+    EXPECT_EQ(clippedInFile("a.exr", rendering, options), "");
+}
+
 TEST(SummaryOf, SaysWhatMoreSamplesDoNotTakeOff) {
     Rendering rendering;
     rendering.error = 0.81;

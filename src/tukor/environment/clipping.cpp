@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "tukor/environment/cube_texel.h"
 
 namespace tukor {
@@ -39,6 +41,14 @@ void addClipping(Clipping& clipping, const Image& image, PixelAreas areas) {
             clipping.lost += area * static_cast<double>(above.x + above.y + above.z);
             clipping.whole += area * static_cast<double>(pixel.x + pixel.y + pixel.z);
         }
+}
+
+std::string sentenceOf(const Clipping& clipping, std::string_view format) {
+    const bool one = clipping.pixels == 1;
+    return fmt::format(
+        "{} {} above {:.0f}, the most that {} holds, {} clipped: {:.3g} % of the light",
+        clipping.pixels, one ? "pixel" : "pixels", clipping.most, format, one ? "was" : "were",
+        100.0 * clipping.lost / clipping.whole);
 }
 
 }  // namespace tukor

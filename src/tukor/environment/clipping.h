@@ -1,6 +1,8 @@
 // What files that end at some radiance take from an environment.
 #pragma once
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 #include "tukor/image/image.h"
 #include "tukor/image/texture_file.h"
@@ -23,5 +25,8 @@ enum class PixelAreas { equal, equirect, face };
 
 /// Adds a picture; `areas` says how much of the sphere pixels see.
 void addClipping(Clipping& clipping, const Image& image, PixelAreas areas);
+
+/// `3 pixels above 65504, the most that half holds, were clipped: 12 % of the light`
+[[nodiscard]] std::string sentenceOf(const Clipping& clipping, std::string_view format);
 
 }  // namespace tukor
