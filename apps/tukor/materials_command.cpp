@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "tukor/app/option_text.h"
+#include "tukor/base/number_text.h"
 #include "tukor/materials/materials.h"
 
 namespace tukor {
@@ -54,9 +55,9 @@ void printTable() {
 
 void printJson() {
     auto all = nlohmann::ordered_json::array();
-    const auto list = [](glm::vec3 v) {
-        return nlohmann::ordered_json{std::stod(textFromValue(v.x)), std::stod(textFromValue(v.y)),
-                                      std::stod(textFromValue(v.z))};
+    const auto number = [](float v) { return numberFromText(textFromValue(v)).value(); };
+    const auto list = [&](glm::vec3 v) {
+        return nlohmann::ordered_json{number(v.x), number(v.y), number(v.z)};
     };
     for (const NamedMaterial& row : namedMaterials()) {
         const Material material = row.material();
@@ -74,7 +75,7 @@ void printJson() {
             one["sigmaA"] = list(material.sigmaA);
             if (material.colourSize > 0.0f) one["colourSize"] = material.colourSize;
             one["priority"] = material.priority;
-            if (row.abbe > 0.0f) one["abbe"] = std::stod(textFromValue(row.abbe));
+            if (row.abbe > 0.0f) one["abbe"] = number(row.abbe);
         }
         one["wavelengths"] = row.wavelengths;
         one["source"] = row.source;

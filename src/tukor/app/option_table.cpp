@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tukor/app/option_text.h"
+#include "tukor/base/number_text.h"
 
 namespace tukor {
 namespace {
@@ -15,7 +16,7 @@ nlohmann::ordered_json json(int value) {
     return value;
 }
 nlohmann::ordered_json json(float value) {
-    return std::stod(textFromValue(value));  // 0.1, not 0.10000000149011612
+    return numberFromText(textFromValue(value)).value();  // 0.1, not 0.10000000149011612
 }
 nlohmann::ordered_json json(glm::vec3 value) {
     return {json(value.x), json(value.y), json(value.z)};

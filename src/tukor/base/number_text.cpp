@@ -1,16 +1,38 @@
 #include "tukor/base/number_text.h"
 
-#include <cstdlib>
 #include <limits>
-#include <string>
 
 #ifdef __EMSCRIPTEN__
 // The C library's reader would bring arithmetic of 128 bits along; the browser has one.
 extern "C" __attribute__((import_module("env"), import_name("tukorNumberFromText"))) double
 tukorNumberFromText(const char* text, int size);
+#else
+#include <algorithm>
+#include <charconv>
+#include <system_error>
 #endif
 
 namespace tukor {
+#ifndef __EMSCRIPTEN__
+namespace {
+
+/// What a decimal number rounds to that lies beyond the largest or the smallest double.
+double roundedBeyond(std::string_view text) {
+    const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+    const std::string_view mantissa = text.substr(0, end);
+    std::string_view exponent = text.substr(std::min(end + 1, text.size()));
+    if (exponent.starts_with('+')) exponent.remove_prefix(1);
+    int power = 0;
+    const auto read = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    if (read.ec == std::errc::result_out_of_range)  // more than any mantissa makes up for
+        power = exponent.starts_with('-') ? -1'000'000 : 1'000'000;
+    const auto point = static_cast<int>(std::min(mantissa.find('.'), mantissa.size()));
+    const auto first = static_cast<int>(mantissa.find_first_of("123456789"));
+    return point - first + power > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+}
+
+}  // namespace
+#endif
 
 std::optional<double> numberFromText(std::string_view text) {
     constexpr std::size_t kLongest = 1000;
@@ -28,11 +50,14 @@ std::optional<double> numberFromText(std::string_view text) {
     if (value != value) return std::nullopt;
     return value;
 #else
-    const std::string copy(text);  // strtod wants a terminator
-    char* end = nullptr;
-    const double value = std::strtod(copy.c_str(), &end);
-    if (end != copy.c_str() + copy.size()) return std::nullopt;
-    return value;
+    // Whatever the locale is, unlike strtod. A sign is read here: from_chars takes no plus.
+    if (sign && (word.starts_with('-') || word.starts_with('+'))) return std::nullopt;
+    const char* const end = word.data() + word.size();
+    double value = 0.0;
+    const auto read = std::from_chars(word.data(), end, value);
+    if (read.ptr != end || read.ec == std::errc::invalid_argument) return std::nullopt;
+    if (read.ec == std::errc::result_out_of_range) value = roundedBeyond(word);
+    return text.front() == '-' ? -value : value;
 #endif
 }
 
