@@ -78,6 +78,10 @@ def test_misspelt_words(folder):
     fails("compare", "a", "b", "c", says="unexpected argument 'c'", status=2)
     fails("compare", "a", says="B is required", status=2)
     fails("materials", "--xml", says="unknown option --xml", status=2)
+    for given, nearest in (("--exposur=1", "--exposure"), ("-size", "--size"), ("--sampels", "--samples"), ("--avo", "--aov")):
+        fails("render", "sphere", given, says=f"unknown option {given.split('=')[0]}; did you mean {nearest}?", status=2)
+    _, err = run("render", "sphere", "--widht", "3", status=2)
+    assert err.splitlines()[0] == "tukor: unknown option --widht", err
 
 
 def test_materials(folder):

@@ -1,5 +1,6 @@
 #include "parser.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <sstream>
@@ -119,14 +120,14 @@ std::string aboutLeftovers(const CLI::App& program, const CLI::App& command) {
     for (const std::string& argument : program.remaining(true)) {
         if (argument.size() > 1 && argument.starts_with('-')) {
             const std::string given = argument.substr(0, argument.find('='));
-            std::vector<std::string> names;
-            for (const CLI::Option* option : command.get_options()) {
-                for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-            }
-            const std::vector<std::string_view> known(names.begin(), names.end());
-            const std::string_view nearest = nearestName(given, known);
+            std::vector<std::string_view> known;
+            for (const CLI::Option* option : command.get_options())
+                known.insert(known.end(), option->get_lnames().begin(), option->get_lnames().end());
+            // without the dashes, which would make half of a short name right
+            const auto start = std::min(given.find_first_not_of('-'), given.size());
+            const std::string_view nearest = nearestName(given.substr(start), known);
             return fmt::format("unknown option {}{}", given,
-                               nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+                               nearest.empty() ? "" : fmt::format("; did you mean --{}?", nearest));
         }
         std::vector<std::string> names;
         for (const CLI::App* sub : command.get_subcommands({})) {
