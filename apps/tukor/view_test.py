@@ -151,6 +151,13 @@ def test_window(folder):
     far = viewer.picture()
     assert rmse(focused, far) > 3, "the minus key does not go farther"
 
+    for key in ("KP_Add", "plus", "equal"):
+        xdotool("key", key)
+    assert rmse(focused, viewer.picture()) < 0.5, "signs do not go nearer again by as much"
+    for key in ("KP_Subtract", "minus", "KP_Subtract"):
+        xdotool("key", key)
+    assert rmse(far, viewer.picture()) < 0.5, "the number pad's minus does not go farther"
+
     words = copied_command(viewer)
     assert words[:3] == ["tukor", "render", "torus-knot"] and words[-2:] == ["-o", "picture.png"], words
     again = os.path.join(folder, "again.png")
@@ -246,6 +253,20 @@ def test_panel(folder):
     viewer.close()
 
 
+def test_layout(folder):
+    """Keys are what they type: of a French keyboard q is where that of the US has a."""
+    subprocess.run(["setxkbmap", "fr"], check=True)
+    try:
+        viewer = Viewer(folder, "sphere", "--fidelity", "single", "--size", "320x240", "--samples", "4")
+        xdotool("key", "Tab")
+        first = viewer.picture()
+        xdotool("key", "minus")  # there with 6
+        assert rmse(first, viewer.picture()) > 1, "the minus does not go farther"
+        viewer.close()
+    finally:
+        subprocess.run(["setxkbmap", "us"], check=True)
+
+
 def test_wrong_start(folder):
     """What is wrong with the arguments is said before a window opens."""
     result = subprocess.run([PROGRAM, "view", "none.obj"], capture_output=True, text=True, cwd=folder, timeout=PATIENCE)
@@ -260,7 +281,7 @@ def main():
         if len(sys.argv) > 2:
             folder = sys.argv[2]
             os.makedirs(folder, exist_ok=True)
-        for test in (test_window, test_drops, test_panel, test_wrong_start):
+        for test in (test_window, test_drops, test_panel, test_layout, test_wrong_start):
             own = os.path.join(folder, test.__name__)
             os.makedirs(own, exist_ok=True)
             test(own)

@@ -81,9 +81,11 @@ HandMovement Hand::move(const Window& window, const Session& session,
         const float yaw = held(Key::right) - held(Key::left);
         const float pitch = held(Key::up) - held(Key::down);
         if (yaw != 0.0f || pitch != 0.0f) camera = orbit(camera, turn * yaw, turn * pitch);
-        if (window.pressed(Key::plus)) camera = zoomed(camera, kZoomPerNotch, session.scene());
-        if (window.pressed(Key::minus)) {
-            camera = zoomed(camera, 1.0f / kZoomPerNotch, session.scene());
+        // one key of many layouts has the plus with Shift, and the equals sign without
+        const int notches = window.typed("+=") - window.typed("-");
+        if (notches != 0) {
+            const float factor = std::pow(kZoomPerNotch, static_cast<float>(notches));
+            camera = zoomed(camera, factor, session.scene());
         }
         if (window.pressed(Key::home)) movement.frameModel = true;
     }

@@ -25,6 +25,7 @@ void storeComplaint(int, const char* message) {
     lastComplaint = message;
 }
 
+/// The key of a place that all layouts share; none of a letter.
 int glfwKey(Key key) {
     switch (key) {
         case Key::f12:
@@ -37,20 +38,22 @@ int glfwKey(Key key) {
             return GLFW_KEY_UP;
         case Key::down:
             return GLFW_KEY_DOWN;
-        case Key::plus:
-            return GLFW_KEY_EQUAL;
-        case Key::minus:
-            return GLFW_KEY_MINUS;
         case Key::home:
             return GLFW_KEY_HOME;
         case Key::tab:
             return GLFW_KEY_TAB;
         case Key::copy:
-            return GLFW_KEY_C;
         case Key::quit:
-            return GLFW_KEY_Q;
+            break;
     }
     return GLFW_KEY_UNKNOWN;
+}
+
+/// What a key types by itself in the layout; 0 where that is no character of ASCII.
+int characterOf(int key, int scancode) {
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return 0;
+    return static_cast<unsigned char>(name[0]);
 }
 
 /// A face that reads better than ImGui's bitmap font, where the system has it.
@@ -109,9 +112,14 @@ Window::Window(int width, int height, const std::string& title) : glfw_(std::mak
     });
     // ImGui knows keys as down or up when a frame begins: it would miss those pressed and released
     // in a slow frame (see holdPressedKeys)
-    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int, int action, int modifiers) {
-        auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
-        if (action != GLFW_RELEASE) self.presses_.emplace_back(key, modifiers);
+    glfwSetKeyCallback(
+        window_, [](GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
+            auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(handle));
+            if (action != GLFW_RELEASE)
+                self.presses_.push_back({key, modifiers, characterOf(key, scancode)});
+        });
+    glfwSetCharCallback(window_, [](GLFWwindow* handle, unsigned character) {
+        static_cast<Window*>(glfwGetWindowUserPointer(handle))->typed_.push_back(character);
     });
     panel_ = std::make_unique<Panel>(window_);
     renderer_ = std::make_unique<PanelRenderer>();
@@ -171,31 +179,51 @@ void Window::setClipboard(const std::string& text) {
 }
 
 bool Window::pressed(Key key) const {
-    const bool wantsControl = key == Key::copy || key == Key::quit;
-    return std::any_of(presses_.begin(), presses_.end(), [&](const std::pair<int, int>& press) {
-        return press.first == glfwKey(key) &&
-               ((press.second & GLFW_MOD_CONTROL) != 0) == wantsControl;
-    });
+    const auto any = [&](bool wantsControl, auto&& isIt) {
+        return std::any_of(presses_.begin(), presses_.end(), [&](const Press& press) {
+            return ((press.modifiers & GLFW_MOD_CONTROL) != 0) == wantsControl && isIt(press);
+        });
+    };
+    // Layouts without Latin letters have Ctrl+C where that of the US has it.
+    const auto withControl = [&](char letter, int place) {
+        return any(true, [&](const Press& press) {
+            return press.character == letter || (press.character == 0 && press.key == place);
+        });
+    };
+    switch (key) {
+        case Key::copy:
+            return withControl('c', GLFW_KEY_C);
+        case Key::quit:
+            return withControl('q', GLFW_KEY_Q);
+        default:
+            return any(false, [&](const Press& press) { return press.key == glfwKey(key); });
+    }
 }
 
 bool Window::held(Key key) const {
     return ImGui::IsKeyDown(glfwKey(key));
 }
 
+int Window::typed(std::string_view characters) const {
+    return static_cast<int>(std::count_if(typed_.begin(), typed_.end(), [&](unsigned character) {
+        return character < 128 && characters.find(static_cast<char>(character)) != characters.npos;
+    }));
+}
+
 void Window::holdPressedKeys() {
     ImGuiIO& io = ImGui::GetIO();
-    for (const auto& [key, modifiers] : presses_) {
-        if (key >= 0) io.KeysDown[key] = true;
-        if ((modifiers & GLFW_MOD_CONTROL) != 0) io.KeyCtrl = true;
-        if ((modifiers & GLFW_MOD_SHIFT) != 0) io.KeyShift = true;
+    for (const Press& press : presses_) {
+        if (press.key >= 0) io.KeysDown[press.key] = true;
+        if ((press.modifiers & GLFW_MOD_CONTROL) != 0) io.KeyCtrl = true;
+        if ((press.modifiers & GLFW_MOD_SHIFT) != 0) io.KeyShift = true;
     }
 }
 
 void Window::releaseKeys() {
     ImGuiIO& io = ImGui::GetIO();
     const auto down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
-    for (const auto& [key, modifiers] : presses_) {
-        if (key >= 0) io.KeysDown[key] = down(key);
+    for (const Press& press : presses_) {
+        if (press.key >= 0) io.KeysDown[press.key] = down(press.key);
     }
     if (presses_.empty()) return;
     io.KeyCtrl = down(GLFW_KEY_LEFT_CONTROL) || down(GLFW_KEY_RIGHT_CONTROL);
@@ -241,6 +269,7 @@ void Window::endFrame() {
     glfwSwapBuffers(window_);
     releaseKeys();
     presses_.clear();
+    typed_.clear();
     frameCost_ = glfwGetTime() - frameBegun_;
 }
 

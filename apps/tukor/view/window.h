@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -13,8 +13,9 @@ namespace tukor {
 
 class PanelRenderer;
 
-/// Keys that the viewer asks for; copy and quit are Ctrl+C and Ctrl+Q.
-enum class Key { f12, left, right, up, down, plus, minus, home, tab, copy, quit };
+/// Keys that the viewer asks for; copy and quit are Ctrl+C and Ctrl+Q, by the letters of the
+/// layout.
+enum class Key { f12, left, right, up, down, home, tab, copy, quit };
 
 class Window {
 public:
@@ -48,6 +49,8 @@ public:
 
     [[nodiscard]] bool pressed(Key key) const;  // since the last frame, auto-repeat included
     [[nodiscard]] bool held(Key key) const;
+    /// How often one of these characters of ASCII was typed since the last frame.
+    [[nodiscard]] int typed(std::string_view characters) const;
 
     /// Between beginFrame and endFrame ImGui's widgets may be made; endFrame draws them over what
     /// the framebuffer holds and shows all.
@@ -58,6 +61,12 @@ private:
     struct Glfw;   // initialised library
     struct Panel;  // ImGui context
 
+    struct Press {
+        int key;  // GLFW's, by place
+        int modifiers;
+        int character;  // of the key alone; 0 where that is none of ASCII
+    };
+
     /// For one frame ImGui sees every key that was pressed since the last, released again or not.
     void holdPressedKeys();
     void releaseKeys();
@@ -67,7 +76,8 @@ private:
     std::unique_ptr<Panel> panel_;
     std::unique_ptr<PanelRenderer> renderer_;
     std::vector<std::string> dropped_;
-    std::vector<std::pair<int, int>> presses_;  // GLFW's key and modifiers, since the last frame
+    std::vector<Press> presses_;   // since the last frame
+    std::vector<unsigned> typed_;  // characters, likewise
     float fontScale_ = 0.0f;
     double frameBegun_ = 0.0;  // GLFW's seconds
     double frameCost_ = 0.0;   // seconds of the last frame, without the wait before it
