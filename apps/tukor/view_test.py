@@ -179,7 +179,7 @@ def test_window(folder):
     time.sleep(1)
     assert size_of(viewer.picture()) == (500, 400)
     xdotool("key", "Tab")
-    viewer.drag((40, 40), (60, 60))  # on the panel: the picture stays
+    viewer.drag((40, 86), (60, 106))  # on the panel: the picture stays
     viewer.close()
     assert viewer.said() == "", viewer.said()
 
@@ -235,14 +235,19 @@ def test_panel(folder):
     # Where the widgets are: rows of 24 pixels with the font that the window prefers, 23 with its own.
     row = 1.0 if os.path.exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf") else 23 / 24
     exact = viewer.picture()
-    viewer.click((26, round(539 * row)))  # compare with Schlick's approximation
+    viewer.pictures += 1
+    saved = os.path.join(folder, f"tukor-{viewer.pictures:04}.png")
+    viewer.click((58, round(40 * row)))  # the button
+    wait_for(saved, lambda: os.path.exists(saved))
+    assert rmse(exact, saved) < 0.5, "the button saves another picture"
+    viewer.click((26, round(580 * row)))  # compare with Schlick's approximation
     half = viewer.picture()
     assert rmse(exact, half) > 1, "nothing is compared"
     viewer.drag((450, 380), (860, 380))  # past the ball
     assert rmse(exact, viewer.picture()) < 0.5 * rmse(exact, half), "the divider does not move"
-    viewer.click((26, round(539 * row)))
+    viewer.click((26, round(580 * row)))
     assert rmse(exact, viewer.picture()) < 0.5, "the comparison does not end, or the divider's drag turned the model"
-    viewer.click((90, round(192 * row)))
+    viewer.click((90, round(229 * row)))
     xdotool("type", "--delay", 60, "mirror:1")
     xdotool("key", "Return")
     xdotool("mousemove", "--window", viewer.window, 700, 700)

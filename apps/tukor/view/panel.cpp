@@ -47,6 +47,22 @@ std::optional<std::string> specified(const std::vector<std::string>& specificati
     return std::nullopt;
 }
 
+/// In the bar of the panel, which stays in sight while the rest is scrolled.
+PanelRequests showButtons() {
+    PanelRequests requests;
+    if (!ImGui::BeginMenuBar()) return requests;
+    const auto button = [](const char* label, const char* key) {
+        const bool clicked = ImGui::SmallButton(label);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", key);
+        return clicked;
+    };
+    requests.screenshot = button("save picture", "F12");
+    requests.copyCommand = button("copy command", "Ctrl+C");
+    requests.frameModel = button("show all", "Home");
+    ImGui::EndMenuBar();
+    return requests;
+}
+
 }  // namespace
 
 std::string patternFor(const std::string& name) {
@@ -138,7 +154,6 @@ void Panel::showLight(LightOptions& light) {
 
 PanelRequests Panel::show(const Session& session, SessionOptions& wanted,
                           std::optional<gl::Comparison>& comparison, const PanelStatus& status) {
-    PanelRequests requests;
     const float unit = ImGui::GetFontSize();
     const ImVec2 area = ImGui::GetMainViewport()->WorkSize;
     ImGui::SetNextWindowPos({0.7f * unit, 0.7f * unit}, ImGuiCond_Once);
@@ -147,7 +162,12 @@ PanelRequests Panel::show(const Session& session, SessionOptions& wanted,
         {std::max(17.0f * unit, 0.6f * area.x), std::max(4.0f * unit, area.y - 1.4f * unit)});
     ImGui::SetNextWindowSize({22.0f * unit, 0.0f}, ImGuiCond_Once);
     ImGui::SetNextWindowBgAlpha(0.8f);
-    ImGui::Begin("tukor  (Tab hides)", nullptr, ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Begin("tukor  (Tab hides)", nullptr,
+                 ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_MenuBar);
+    const PanelRequests requests = showButtons();
+    ImGui::TextDisabled("%s", fmt::format("{} of {} samples, {:.0f} ms a frame", status.samples,
+                                          status.samplesWanted, 1000.0 * status.secondsPerFrame)
+                                  .c_str());
     ImGui::PushItemWidth(0.55f * ImGui::GetContentRegionAvail().x);
     if (ImGui::CollapsingHeader("Model", ImGuiTreeNodeFlags_DefaultOpen)) {
         showSubject(session, wanted);
@@ -185,14 +205,6 @@ PanelRequests Panel::show(const Session& session, SessionOptions& wanted,
     if (ImGui::CollapsingHeader("Development", ImGuiTreeNodeFlags_DefaultOpen)) {
         describe(wanted.develop, OptionWidgets());
     }
-    ImGui::Separator();
-    requests.screenshot = ImGui::Button("save picture (F12)");
-    ImGui::SameLine();
-    requests.frameModel = ImGui::Button("show all (Home)");
-    requests.copyCommand = ImGui::Button("copy command (Ctrl+C)");
-    ImGui::TextDisabled("%s", fmt::format("{} of {} samples, {:.0f} ms a frame", status.samples,
-                                          status.samplesWanted, 1000.0 * status.secondsPerFrame)
-                                  .c_str());
     ImGui::PopItemWidth();
     ImGui::End();
     return requests;
