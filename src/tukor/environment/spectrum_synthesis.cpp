@@ -170,7 +170,7 @@ std::array<float, 4> cubicWeights(float t) {
             -(t + 1.0f) * t * (t - 2.0f) / 2.0f, (t + 1.0f) * t * (t - 1.0f) / 6.0f};
 }
 
-/// Rows of a grid that a cubic follows to 1e-5: ten samples to the shortest wave that still
+/// Rows of a grid that a cubic can follow: four samples or more to the shortest wave that still
 /// matters.
 int gridHeight(std::span<const double> factors) {
     int degree = static_cast<int>(factors.size()) - 1;

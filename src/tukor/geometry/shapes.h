@@ -1,4 +1,4 @@
-// The built-in shapes by name: sphere, torus-knot, teapot, brilliant, tumbler, water.
+// The built-in shapes by name: sphere, torus-knot, teapot and others.
 #pragma once
 #include <optional>
 #include <string>

@@ -11,8 +11,7 @@ namespace tukor::gl {
 /// over the triangles.
 enum class Preparation { single, all };
 
-/// Level 0 is filled at once, the mip levels when they are first asked for: only `exact` reads
-/// them.
+/// The mip levels are filled with level 0, or never: `single` does not read them.
 class EnvironmentTexture {
 public:
     EnvironmentTexture() = default;

@@ -8,8 +8,8 @@ namespace tukor::gl {
 
 /// Renders in a headless context of its own; whatever context was current is current again after.
 ///
-/// Samples are rounded up to a multiple of four; 8 when none are asked for. Told to stop by
-/// `progress`, it returns the picture with the samples so far. Throws Error.
+/// Samples are rounded up to a multiple of four at `single`; 8 when none are asked for. Told to
+/// stop by `progress`, it returns the picture with the samples so far. Throws Error.
 [[nodiscard]] Rendering render(const Scene& scene, const Environment& environment,
                                const Camera& camera, const RenderOptions& options,
                                const RenderProgress& progress = {});

@@ -3,10 +3,14 @@
 //
 //     Tree tree = startTree(cameraRay, seed, index);
 //     while (tree.alive) {
-//         if (spent(tree, settings))       deposits = cutBranch(tree);
-//         else {
-//             tree.rays++; find the nearest triangle but tree.branch.skip along tree.branch, at t >
-//             0 if (none)                    deposits = escape(tree); else {
+//         if (spent(tree, settings)) {
+//             deposits = cutBranch(tree);
+//         } else {
+//             tree.rays++;
+//             // the nearest triangle but tree.branch.skip along tree.branch, at t > 0
+//             if (none) {
+//                 deposits = escape(tree);
+//             } else {
 //                 Encounter met = encounter(tree.branch, hit);
 //                 deposits = scatter(tree, hit, met, medium(met.from), medium(met.to), settings);
 //             }

@@ -46,7 +46,7 @@ struct FinishLook {
     float alpha;
 };
 
-// `kind` is the first texel of the part, `at` the branch on the surface, `change` that of its normal.
+// `kind` holds the flags of the part, `at` is the branch on the surface.
 FinishLook finishLook(uint kind, int part, BvhHit found, SurfaceHit hit, Encounter met, Branch at) {
     FinishLook look;
     vec4 base = partFigures(part, 3);
