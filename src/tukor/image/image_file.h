@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "tukor/base/options.h"
 #include "tukor/base/progress.h"
 #include "tukor/image/display.h"
 #include "tukor/image/exr_file.h"
@@ -47,18 +46,6 @@ inline constexpr std::array<std::pair<ExrPixels, std::string_view>, 2> kExrPixel
     {ExrPixels::full, "full"},
     {ExrPixels::half, "half"},
 }};
-
-template <class Visitor>
-void describe(SaveOptions& o, Visitor&& field) {
-    field("tonemap", o.tonemap, Spellings<Tonemap>(kTonemapSpellings),
-          "how .png and .jpg show radiance above 1");
-    field("exposure", o.exposureStops, Range<float>{-32.0f, 32.0f},
-          "stops on .png and .jpg; 0 leaves radiance as is");
-    field("png-depth", o.pngDepth, Spellings<PngDepth>(kPngDepthSpellings), "bits a channel");
-    field("jpeg-quality", o.jpegQuality, Range<int>{1, 100}, "100 is nearly lossless");
-    field("exr-pixels", o.exrPixels, Spellings<ExrPixels>(kExrPixelsSpellings),
-          "full: 32-bit floats; half: 16-bit, clipped at 65504");
-}
 
 /// Writes by extension: .exr .hdr .png .jpg .jpeg; the file appears whole or not at all.
 ///

@@ -1,6 +1,5 @@
 #include "tukor/scene/stl_file.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -82,10 +81,6 @@ Mesh readText(const std::filesystem::path& path, std::span<const std::byte> byte
 }
 
 }  // namespace
-
-bool looksLikeStl(std::span<const std::byte> bytes) noexcept {
-    return isBinary(bytes) || startsAsText(bytes.first(std::min<std::size_t>(bytes.size(), 256)));
-}
 
 Scene loadStl(const std::filesystem::path& path, std::span<const std::byte> bytes,
               const ModelOptions& options) {

@@ -13,7 +13,4 @@ namespace tukor {
 [[nodiscard]] Scene loadStl(const std::filesystem::path& path, std::span<const std::byte> bytes,
                             const ModelOptions& options = {});
 
-/// Whether the length is that of a binary STL, or the text begins as one.
-[[nodiscard]] bool looksLikeStl(std::span<const std::byte> bytes) noexcept;
-
 }  // namespace tukor
