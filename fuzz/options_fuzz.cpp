@@ -10,7 +10,7 @@
 #include "tukor/app/option_text.h"
 #include "tukor/base/error.h"
 #include "tukor/geometry/shapes.h"
-#include "tukor/materials/materials.h"
+#include "tukor/scene/material_text.h"
 
 namespace {
 
@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 if (std::find(known.begin(), known.end(), line) == known.end()) {
                     if (makeShape(line)) std::abort();
                 }
-                (void)parseMaterial(line);
+                (void)materialFromText(line);
             } catch (const Error&) {
             }
             continue;

@@ -87,6 +87,7 @@ def test_misspelt_words(folder):
 def test_materials(folder):
     out, _ = run("materials")
     assert "metal:0.21,0.485,1.29/3.13,2.23,1.76" in out and "ior:1.333" in out, out
+    assert "gold+rough:0.2" in out and "matt:0.8,0.2,0.1" in out, out
     materials = {row["name"]: row for row in json.loads(run("materials", "--json")[0])}
     assert materials["gold"]["eta"] == [0.21, 0.485, 1.29] and materials["gold"]["k"] == [3.13, 2.23, 1.76]
     assert materials["silver"]["eta"] == [0.15, 0.14, 0.13] and materials["silver"]["k"] == [3.7, 3.11, 2.47]
@@ -161,6 +162,7 @@ def test_render_errors(folder):
     fails("render", "spere", *out, says="spere")
     fails("render", "sphere", "--material", "glas", *out, says="did you mean 'glass'")
     fails("render", "sphere", "--material", "lid=glass", *out, says="lid")
+    fails("render", "sphere", "--material", "gold+rough:2", *out, says="material 'gold+rough:2': roughness 2; expected 0 to 1")
     fails("render", "sphere", "--environment", "none.hdr", *out, says="none.hdr")
     fails("render", "sphere", "--environment", "stdio", *out, says="stdio")
     fails("render", "sphere", "--camera", "front", *out, says="camera 'front': the model has no cameras")

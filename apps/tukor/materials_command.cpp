@@ -50,7 +50,12 @@ void printTable() {
     fmt::print(
         "\nAlso from figures: --material ior:1.2, ior:1.5/0.1,0.2,0.9 (with absorption in 1/m),\n"
         "metal:0.21,0.485,1.29/3.13,2.23,1.76 (eta/k for R,G,B), mirror:0.9,0.8,0.7 "
-        "(reflectance)\n");
+        "(reflectance)\n"
+        "\nRough, by glTF's roughness from 0 to 1, after any of these: gold+rough:0.2, "
+        "glass+rough:0.3 (frosted).\n"
+        "Up to 0.05 it is the smooth material. Rough metals have their reflectance at normal "
+        "incidence,\nand by Schlick's approximation at other angles.\n"
+        "Matt colours, linear: matt:0.8,0.2,0.1 (as glTF's metallic 0, roughness 1)\n");
 }
 
 void printJson() {

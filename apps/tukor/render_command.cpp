@@ -130,6 +130,7 @@ Command renderCommand() {
             "  tukor render sphere --material glass --environment sky -o glass.png\n"
             "  tukor render ring.glb --material 'stone*=diamond' --material 'band=gold' -o "
             "ring.jpg\n"
+            "  tukor render teapot --material gold+rough:0.3 --environment loft.exr -o satin.png\n"
             "  tukor render torus-knot --eye -1,0,4 --fov 30 --size 640x360 --samples 64 -o "
             "knot.exr\n"
             "  tukor render ring.stl --model-up z --model-scale 0.001 --turntable 48 -o "

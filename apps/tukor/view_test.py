@@ -248,13 +248,13 @@ def test_panel(folder):
     viewer.click((26, round(580 * row)))
     assert rmse(exact, viewer.picture()) < 0.5, "the comparison does not end, or the divider's drag turned the model"
     viewer.click((90, round(229 * row)))
-    xdotool("type", "--delay", 60, "mirror:1")
+    xdotool("type", "--delay", 60, "mirror:1+rough:0.4")
     xdotool("key", "Return")
     xdotool("mousemove", "--window", viewer.window, 700, 700)
     wait_for("the figures to be taken", lambda: rmse(exact, viewer.picture()) > 5)
     viewer.click((700, 700))  # out of the text
     words = copied_command(viewer)
-    assert words[words.index("--material") + 1] == "mirror:1", words
+    assert words[words.index("--material") + 1] == "mirror:1+rough:0.4", words
     viewer.close()
 
 

@@ -91,7 +91,8 @@ void Panel::showMaterials(const Session& session, SubjectOptions& subject) {
             choose("everything", everything.value_or("as in the model"), materialNames())) {
         specify(specifications, "", chosen);
     }
-    if (entered("figures", "ior:1.2", materialText_)) specify(specifications, "", materialText_);
+    if (entered("figures", "ior:1.2, gold+rough:0.2", materialText_))
+        specify(specifications, "", materialText_);
     std::set<std::string> seen;
     for (const Part& part : session.scene().parts) {
         const std::string& name = part.materialName.empty() ? part.name : part.materialName;

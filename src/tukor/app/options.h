@@ -148,7 +148,8 @@ void describe(Options& o, Visitor&& field) {
     field("material", o.materials, Placeholder{"[PATTERN=]NAME"},
           "material of everything, or of the parts whose mesh or material name matches PATTERN (* "
           "and ? as in a shell); may be repeated, later ones win. NAME as in `tukor materials`, or "
-          "figures: ior:1.2, metal:0.21,0.485,1.29/3.13,2.23,1.76, mirror:0.9,0.8,0.7");
+          "figures: ior:1.2, metal:0.21,0.485,1.29/3.13,2.23,1.76, mirror:0.9,0.8,0.7, "
+          "matt:0.8,0.2,0.1; rough where a roughness from 0 to 1 follows: gold+rough:0.2");
     field("variant", o.variant, Placeholder{"NAME"}, "one of the looks that a glTF model offers");
     field("animation", o.animation, Placeholder{"NAME"},
           "which animation of a glTF model, by name or by number from 0; the first without it");

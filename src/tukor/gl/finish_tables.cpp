@@ -80,7 +80,8 @@ Texture makeDetails(const Scene& scene, const Bvh& bvh, const std::vector<int>& 
     for (std::size_t i = 0; i < bvh.sources.size(); ++i) {
         const BvhSource source = bvh.sources[i];
         const Mesh& mesh = scene.parts[source.part].mesh;
-        if (!scene.parts[source.part].material.finish) continue;
+        const Material& material = scene.parts[source.part].material;
+        if (!material.finish) continue;
         const glm::uvec3 corners = mesh.triangles[source.triangle];
         std::array<glm::uvec2, 3> uvs{};
         std::array<std::uint32_t, 3> colors{};
@@ -89,8 +90,10 @@ Texture makeDetails(const Scene& scene, const Bvh& bvh, const std::vector<int>& 
             if (uvSets[source.part] >= 0)
                 uvs[at] = glm::floatBitsToUint(
                     mesh.uvs[static_cast<std::size_t>(uvSets[source.part])][corners[c]]);
-            colors[at] =
-                packedRoots(mesh.colors.empty() ? glm::vec4(1.0f) : mesh.colors[corners[c]]);
+            colors[at] = packedRoots(mesh.colors.empty() ||
+                                             (kFinishesByName && material.finish->ignoresColors)
+                                         ? glm::vec4(1.0f)
+                                         : mesh.colors[corners[c]]);
         }
         texels[3 * i] = {uvs[0], uvs[1]};
         texels[3 * i + 1] = {uvs[2], colors[0], colors[1]};
@@ -115,7 +118,8 @@ FinishTables::FinishTables(const Scene& scene, const Bvh& bvh) {
         int& uvSet = uvSets.emplace_back(-1);
         if (!part.material.finish) continue;
         const Finish& finish = *part.material.finish;
-        colored = colored || !part.mesh.colors.empty();
+        colored =
+            colored || (!part.mesh.colors.empty() && !(kFinishesByName && finish.ignoresColors));
         own.transmission = meanOf(finish, TextureRole::transmission).x;
         const TextureMap* placed = nullptr;
         glm::vec4* const means[] = {&own.baseColor, &own.figures, &own.emission};

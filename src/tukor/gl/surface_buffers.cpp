@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/scene/finish.h"
 
 namespace tukor::gl {
 
@@ -108,13 +109,19 @@ void SurfaceBuffers::addDetails(const Scene& scene) {
     std::vector<glm::vec4> details;  // two texture coordinates, tangent, colour in turn
     for (const Part& part : scene.parts) {
         const Mesh& mesh = part.mesh;
+        const auto takesColors = [&] {
+            const Finish* const finish = part.material.finish.get();
+            return !finish || !finish->ignoresColors;
+        };
         const auto uv = [&](std::size_t set, std::size_t i) {
             return mesh.uvs[set].empty() ? glm::vec2(0.0f) : mesh.uvs[set][i];
         };
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             details.emplace_back(uv(0, i), uv(1, i));
             details.push_back(mesh.tangents.empty() ? glm::vec4(0.0f) : mesh.tangents[i]);
-            details.push_back(mesh.colors.empty() ? glm::vec4(1.0f) : mesh.colors[i]);
+            details.push_back(mesh.colors.empty() || (kFinishesByName && !takesColors())
+                                  ? glm::vec4(1.0f)
+                                  : mesh.colors[i]);
         }
     }
     details_ = Buffer::make();

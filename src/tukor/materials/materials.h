@@ -51,7 +51,8 @@ struct NamedMaterial {
 /// Abbe's number of a dielectric in the table with the same figures; 0 where there is none.
 [[nodiscard]] float abbeNumberOf(const Material& material) noexcept;
 
-/// What `--material` takes: a name, or figures.
+/// What `--material` takes of smooth materials: a name, or figures. Its messages name the rough and
+/// matt ones, too, which materialFromText() of tukor/scene/material_text.h adds.
 ///
 ///     mirror:0.9,0.8,0.7                        reflectance for R, G, B; one number for all three
 ///     metal:0.21,0.485,1.29/3.13,2.23,1.76      eta and k likewise

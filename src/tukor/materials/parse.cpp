@@ -8,6 +8,7 @@
 #include "tukor/base/error.h"
 #include "tukor/base/number_text.h"
 #include "tukor/base/spelling.h"
+#include "tukor/materials/figures.h"
 #include "tukor/materials/materials.h"
 
 namespace tukor {
@@ -15,13 +16,12 @@ namespace tukor {
 namespace {
 
 constexpr std::string_view kForms =
-    "mirror:R,G,B, metal:R,G,B/R,G,B (eta / k), ior:N or ior:N/R,G,B (absorption in 1/m)";
+    "mirror:R,G,B, metal:R,G,B/R,G,B (eta / k), ior:N or ior:N/R,G,B (absorption in 1/m)"
+#ifndef __EMSCRIPTEN__  // scene/material_text.h, which pages do without
+    ", each with +rough:N (0 to 1) or without, as names; matt:R,G,B"
+#endif
+    ;
 constexpr std::size_t kLongestShown = 80;  // of a bad value in a message
-
-std::string shown(std::string_view text) {
-    if (text.size() <= kLongestShown) return std::string(text);
-    return std::string(text.substr(0, kLongestShown)) + "...";
-}
 
 float parseNumber(std::string_view text, std::string_view whole) {
     const std::optional<double> value = numberFromText(text);
@@ -32,7 +32,13 @@ float parseNumber(std::string_view text, std::string_view whole) {
     return static_cast<float>(*value);
 }
 
-/// One number for all channels, or three.
+}  // namespace
+
+std::string shown(std::string_view text) {
+    if (text.size() <= kLongestShown) return std::string(text);
+    return std::string(text.substr(0, kLongestShown)) + "...";
+}
+
 glm::vec3 parseColour(std::string_view text, std::string_view whole) {
     std::array<float, 3> values{};
     std::size_t count = 0;
@@ -54,6 +60,8 @@ glm::vec3 parseColour(std::string_view text, std::string_view whole) {
     return {values[0], values[1], values[2]};
 }
 
+namespace {
+
 Material parseFigures(std::string_view kind, std::string_view figures, std::string_view text) {
     const std::size_t slash = figures.find('/');
     const std::string_view first = figures.substr(0, slash);
@@ -71,6 +79,8 @@ Material parseFigures(std::string_view kind, std::string_view figures, std::stri
     return metalMaterial(parseColour(first, text), parseColour(second, text));
 }
 
+}  // namespace
+
 void checkRange(std::string_view name, std::string_view figure, glm::vec3 values, float least,
                 float most) {
     for (int channel = 0; channel < 3; ++channel) {
@@ -81,8 +91,6 @@ void checkRange(std::string_view name, std::string_view figure, glm::vec3 values
         }
     }
 }
-
-}  // namespace
 
 Material mirrorMaterial(glm::vec3 tint) noexcept {
     Material material;

@@ -11,7 +11,7 @@
 
 #include "tukor/base/error.h"
 #include "tukor/geometry/closedness.h"
-#include "tukor/materials/materials.h"
+#include "tukor/scene/material_text.h"
 
 namespace tukor {
 
@@ -32,6 +32,17 @@ std::string partNames(const Scene& scene) {
     const std::string more = left > 0 ? fmt::format(" and {} more", left) : "";
     return fmt::format("there are {}{}", fmt::join(listed, ", "), more);
 }
+
+#ifdef __EMSCRIPTEN__  // a page's rough surfaces show no dispersion
+constexpr auto& abbeNumberInside = abbeNumberOf;
+#else
+/// Whatever the surface.
+float abbeNumberInside(const Material& material) {
+    Material smooth = material;
+    smooth.finish.reset();
+    return abbeNumberOf(smooth);
+}
+#endif
 
 char lower(char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -67,7 +78,7 @@ void assignMaterials(Scene& scene, std::span<const std::string> specifications) 
         const bool forAll = equals == std::string::npos;
         const std::string pattern = forAll ? "*" : specification.substr(0, equals);
         const Material material =
-            parseMaterial(forAll ? specification : specification.substr(equals + 1));
+            materialFromText(forAll ? specification : specification.substr(equals + 1));
         bool matched = forAll;
         for (Part& part : scene.parts)
             if (matchesPattern(part.name, pattern) || matchesPattern(part.materialName, pattern)) {
@@ -84,7 +95,7 @@ void assignMaterials(Scene& scene, std::span<const std::string> specifications) 
 void setDispersion(Scene& scene, float factor) {
     for (Part& part : scene.parts) {
         Material& material = part.material;
-        const float abbe = abbeNumberOf(material);
+        const float abbe = abbeNumberInside(material);
         material.dispersion = factor * (abbe > 0.0f ? 20.0f / abbe : material.dispersion);
     }
 }

@@ -13,7 +13,7 @@ namespace tukor {
 ///
 /// Each is `NAME` for all parts, or `PATTERN=NAME` for the parts whose name or material name the
 /// pattern matches; `*` stands for any characters, `?` for one, letters match in either case. NAME
-/// is what parseMaterial() takes. Throws Error; a pattern without a match lists what there is.
+/// is what materialFromText() takes. Throws Error; a pattern without a match lists what there is.
 void assignMaterials(Scene& scene, std::span<const std::string> specifications);
 
 /// Lets clear materials disperse light: those of the table as is known of them, others as their

@@ -50,6 +50,13 @@ struct TextureMap {
     bool smooth = true;  // false: the nearest texel
 };
 
+/// Whether there are finishes beside those of files, which alone ignore colours of vertices.
+#ifdef __EMSCRIPTEN__
+inline constexpr bool kFinishesByName = false;
+#else
+inline constexpr bool kFinishesByName = true;
+#endif
+
 /// glTF's metallic-roughness with its extensions. Factors multiply what the textures say.
 struct Finish {
     glm::vec3 baseColor{1.0f};  // linear Rec. 709
@@ -64,6 +71,7 @@ struct Finish {
     bool doubleSided = false;
     bool catcher = false;  // ground: shows what is behind it but for shadows and light of things
     bool unlit = false;    // shows its base colour, whatever the light
+    bool ignoresColors = false;  // of vertices, which multiply its base colour else
 
     float ior = 1.5f;               // of what is not metallic
     float specular = 1.0f;          // factor on its reflectance

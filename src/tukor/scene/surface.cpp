@@ -37,8 +37,6 @@ bool hasTextures(const Surface& surface) noexcept {
 }
 
 bool isIdeal(const Surface& surface) noexcept {
-    // Below, the highlight is narrower than most texels of an environment.
-    constexpr float kPolished = 0.05f;
     const bool plain = surface.roughness <= kPolished && surface.alphaMode == AlphaMode::opaque &&
                        surface.emission == glm::vec3(0.0f) && !surface.unlit &&
                        surface.clearcoat == 0.0f && surface.sheenColor == glm::vec3(0.0f) &&

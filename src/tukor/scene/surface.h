@@ -20,6 +20,10 @@ struct Surface : Finish {
     float dispersion = 0.0f;           // 20 over Abbe's number
 };
 
+/// Roughness up to which a surface is taken for ideally smooth: below, the highlight is narrower
+/// than most texels of an environment.
+inline constexpr float kPolished = 0.05f;
+
 /// Whether it is one of the ideal smooth surfaces of Material, to which no finish adds anything:
 /// polished metal, or clear glass with an inside.
 [[nodiscard]] bool isIdeal(const Surface& surface) noexcept;

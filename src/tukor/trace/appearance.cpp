@@ -116,7 +116,7 @@ glm::vec4 FinishTable::baseColorAt(const Place& place) noexcept {
     const Finish& finish = *place.part->finish;
     glm::vec4 c = glm::vec4(finish.baseColor, finish.alpha) * look(place, TextureRole::baseColor);
     const auto& colors = place.part->mesh->colors;
-    if (!colors.empty())
+    if (!colors.empty() && !finish.ignoresColors)
         c *= place.weights.x * colors[place.corners.x] + place.weights.y * colors[place.corners.y] +
              place.weights.z * colors[place.corners.z];
     if (finish.alphaMode == AlphaMode::opaque) c.w = 1.0f;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tukor/scene/finish.h"
+#include "tukor/scene/material_text.h"
 #include "tukor/trace/light_sampler.h"
 #include "tukor/trace/render.h"
 #include "tukor/trace/test_scenes.h"
@@ -86,6 +87,31 @@ TEST(RoughEvent, RoughGlassVanishesInUniformLight) {
             render(box(material), constantCube(1.0f), eyeAt({2.0f, 3.0f, 4.0f}), small(64));
         EXPECT_NEAR(meanOf(picture.radiance).y, 1.0f, 0.012f) << roughness;
         EXPECT_EQ(picture.leaks, 0u);
+    }
+}
+
+// By the same tolerance. A tinted mirror shows its tint, whatever the angle: one pixel's noise, and
+// what facets reflect twice, are less than 0.05.
+TEST(RoughEvent, LosslessMaterialsByNameVanishInUniformLight) {
+    const auto mean = [](std::string_view material) {
+        return meanOf(render(box(materialFromText(material)), constantCube(1.0f),
+                             eyeAt({2.0f, 3.0f, 4.0f}), small(64))
+                          .radiance);
+    };
+    for (const char* material : {"mirror+rough:0.1", "mirror+rough:0.6", "glass+rough:0.2",
+                                 "diamond+rough:0.3", "water+rough:1", "matt:1"}) {
+        const glm::vec3 seen = mean(material);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], 1.0f, 0.012f) << material;
+    }
+    const Camera close = eyeAt({0.0f, 0.0f, 2.0f});  // sees nothing but one side
+    for (const float roughness : {0.1f, 0.5f}) {
+        const auto text = "mirror:0.8,0.4,0.6+rough:" + std::to_string(roughness);
+        const Scene scene = box(materialFromText(text));
+        const glm::vec3 seen =
+            render(scene, constantCube(1.0f), close, small(64)).radiance.at(12, 12);
+        EXPECT_NEAR(seen.x, 0.8f, 0.05f) << text;
+        EXPECT_NEAR(seen.y, 0.4f, 0.05f) << text;
+        EXPECT_NEAR(seen.z, 0.6f, 0.05f) << text;
     }
 }
 
