@@ -13,6 +13,7 @@
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
 #include "tukor/scene/assign_materials.h"
+#include "tukor/scene/finish.h"
 #include "tukor/scene/model_file.h"
 #include "tukor/scene/sibling_file.h"
 
@@ -83,9 +84,20 @@ std::vector<Material> materialsOf(const Scene& scene) {
     return materials;
 }
 
-bool haveFinishes(const std::vector<Material>& materials) {
-    return std::any_of(materials.begin(), materials.end(),
-                       [](const Material& m) { return m.finish != nullptr; });
+/// Whether what renderers keep of a part for `before` lacks what `after` shows: its pictures, and
+/// colours of its vertices.
+bool showsMore(const Finish* after, const Finish* before) {
+    if (after == nullptr || after == before) return false;
+    if (before == nullptr || after->ignoresColors != before->ignoresColors) return true;
+    return !std::equal(
+        after->maps.begin(), after->maps.end(), before->maps.begin(),
+        [](const TextureMap& a, const TextureMap& b) { return a.texels == b.texels; });
+}
+
+bool showMore(const Scene& scene, const std::vector<Material>& before) {
+    for (std::size_t i = 0; i < before.size(); ++i)
+        if (showsMore(scene.parts[i].material.finish.get(), before[i].finish.get())) return true;
+    return false;
 }
 
 const Camera& namedCamera(const Scene& scene, const std::string& name) {
@@ -238,8 +250,7 @@ void Session::apply(const SessionOptions& options) {
         scene_ = std::move(*scene);
         ownMaterials_ = std::move(own);
     }
-    // Renderers that took it as ideally smooth have not taken what finishes need.
-    if (haveFinishes(materialsOf(scene_)) && !haveFinishes(before)) ++sceneRevision_;
+    if (showMore(scene_, before)) ++sceneRevision_;
     if (lightsChange) {
         scene_.lights = std::move(lights);
         ownLights_ = std::move(ownLights);
@@ -276,28 +287,6 @@ RenderOptions Session::renderOptions() const {
     render.maxDepth = quality.maxDepth;
     render.ground = groundFromText(options_.light.ground, scene_);
     return render;
-}
-
-std::vector<std::string> Session::warnings() const {
-    std::vector<std::string> all = scene_.warnings;
-    if (options_.quality.fidelity != Fidelity::single) {  // a single look-up needs no inside
-        const std::vector<std::string> open = closednessWarnings(scene_);
-        all.insert(all.end(), open.begin(), open.end());
-    }
-    const bool single = options_.quality.fidelity == Fidelity::single;
-    const bool plain = std::any_of(scene_.parts.begin(), scene_.parts.end(), [&](const Part& part) {
-        return part.material.dispersion > 0.0f && (single || part.material.finish);
-    });
-    if (single && !options_.light.ground.empty() && lookUps_ == LookUps::cube)
-        all.emplace_back("gl draws no ground at --fidelity single; --renderer trace does");
-    if (plain && lookUps_ == LookUps::cube)  // gl's
-        all.emplace_back(
-            "gl draws dispersion of smooth surfaces at --fidelity double and exact alone; "
-            "--renderer trace shows all");
-    for (const std::string& warning : environment_->warnings) {
-        all.push_back(environment_->name + ": " + warning);
-    }
-    return all;
 }
 
 }  // namespace tukor

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::vector<std::string> warnings() const;
 
     /// Counts up whenever the geometry, the lights or the environment are others, or finishes
-    /// appear.
+    /// appear, or other pictures on them.
     [[nodiscard]] std::uint64_t sceneRevision() const noexcept { return sceneRevision_; }
     [[nodiscard]] std::uint64_t environmentRevision() const noexcept {
         return environmentRevision_;

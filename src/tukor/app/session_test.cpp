@@ -142,6 +142,24 @@ TEST(Session, HasAnotherSceneWhereFinishesAppear) {
     session.apply(options);
     EXPECT_NE(session.scene().parts[0].material.finish, nullptr);
     EXPECT_NE(session.sceneRevision(), golden);
+    const std::uint64_t own = session.sceneRevision();  // whose colours of vertices count
+    options.subject.materials = {"gold+rough:0.2"};
+    session.apply(options);
+    EXPECT_NE(session.sceneRevision(), own);
+}
+
+TEST(Session, KeepsItsSceneFromOneRoughMaterialToAnother) {
+    SessionOptions options;
+    options.subject.models = {"sphere"};
+    options.subject.materials = {"gold+rough:0.2"};
+    options.light.faceSize = 8;
+    Session session(options);
+    const std::uint64_t golden = session.sceneRevision();
+    options.subject.materials = {"glass+rough:0.3"};
+    session.apply(options);
+    EXPECT_EQ(session.sceneRevision(), golden);
+    EXPECT_THAT(session.warnings(),
+                testing::Contains(HasSubstr("gl refracts light in rough glass once")));
 }
 
 TEST(Session, IsUnchangedWhereOptionsCannotBeHad) {
