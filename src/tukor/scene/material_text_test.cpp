@@ -68,7 +68,8 @@ TEST(MaterialFromText, GivesRoughMirrorsTheirTintAtAllAngles) {
     EXPECT_EQ(tinted.baseColor, glm::vec3(0.0f));
     EXPECT_EQ(tinted.ior, 0.0f);
     for (int c = 0; c < 3; ++c)
-        EXPECT_FLOAT_EQ(tinted.specular * tinted.specularColor[c], 0.9f - 0.3f * c);
+        EXPECT_FLOAT_EQ(tinted.specular * tinted.specularColor[c],
+                        0.9f - 0.3f * static_cast<float>(c));
     EXPECT_EQ(materialFromText("mirror:0+rough:0.5").finish->specular, 0.0f);
 }
 
