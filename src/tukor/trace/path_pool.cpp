@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -35,11 +36,6 @@ constexpr std::size_t kSamplesPerFault = 256;
 
 // By how much of the distance of neighbours faulty samples are moved.
 constexpr float kAside = 1.0f / 256.0f;
-
-float meanShare(glm::vec3 part, glm::vec3 whole) noexcept {
-    const glm::vec3 share = part / whole;
-    return (share.x + share.y + share.z) / 3.0f;
-}
 
 }  // namespace
 
@@ -138,87 +134,14 @@ void PathPool::settle() noexcept {
     owed_.clear();
 }
 
-[[gnu::always_inline]] inline transport::Medium PathPool::mediumOf(const Path& path,
-                                                                   int number) const noexcept {
-    return frame_.surfaces.medium(number, path.wavelength);
-}
-
-// Everything in one function: passed from one to another, a branch is written in single floats and
-// read in vectors, for which the processor waits.
-[[gnu::flatten, gnu::noinline]] void PathPool::meet(Path& path, const RayHit& found) noexcept {
-    transport::Branch& ray = path.tree.branch;
-    transport::SurfaceHit surface;
-    transport::Encounter met;
-    RayHit hit = found;
-    if (hit.surface < 0 && ray.media != 0u) hit = withoutRounding(frame_, ray, hit);
-    for (int i = 0; i < 2 && hit.surface >= 0; ++i) {
-        surface = frame_.surfaces.at(hit, ray.origin, ray.direction);
-        met = transport::encounter(ray, surface);
-        if (met.consistent || i > 0) break;
-        hit = withoutRounding(frame_, ray, hit);
-    }
-    path.grazing = splits_ && ray.skip < 0 && ray.depth == 0 && hit.surface >= 0 &&
-                   transport::grazes(ray.footprint, ray.direction, surface, met.face);
-    if (path.grazing) {
-        path.tree.alive = false;
-        return;
-    }
-    if (frame_.spectrum && hit.surface >= 0 && surface.kind == transport::kDielectric)
-        disperse(path, met);
-    if (frame_.rough && meetRough(path, hit, surface, met)) return;
-    if (hit.surface < 0) {
-        collect(path, transport::escape(path.tree));
-    } else {
-        collect(path, transport::scatter(path.tree, surface, met, mediumOf(path, met.from),
-                                         mediumOf(path, met.to), frame_.settings));
-    }
-}
-
-[[gnu::noinline]] void PathPool::disperse(Path& path,
-                                          const transport::Encounter& met) const noexcept {
-    const SurfaceTable& surfaces = frame_.surfaces;
-    if (path.wavelength > 0.0f || !(surfaces.disperses(met.from) || surfaces.disperses(met.to)))
-        return;
-    const optics::Wavelength chosen = optics::wavelengthAt(
-        *frame_.spectrum, transport::spectrumSample(path.sampler.pixelSeed, path.sampler.index));
-    path.wavelength = chosen.nm;
-    transport::filterTree(path.tree, chosen.weight);
-}
-
-[[gnu::noinline]] bool PathPool::meetRough(Path& path, const RayHit& hit,
-                                           const transport::SurfaceHit& surface,
-                                           const transport::Encounter& met) const noexcept {
-    if (path.chosen.catching) {  // what arrives from there unhindered was counted: not this
-        path.chosen.catching = false;
-        const glm::vec3 behind = std::exchange(path.chosen.behind, glm::vec3(0.0f));
-        if (hit.surface < 0) {
-            path.chosen.pdf = 0.0f;
-            (void)transport::escape(path.tree);
-            return true;
-        }
-        const glm::vec3 hidden = frame_.rough->escape(path.tree.branch, path.chosen);
-        if (behind != glm::vec3(0.0f)) {
-            path.covered += meanShare(hidden, behind);
-        } else {
-            path.radiance -= hidden;
-        }
-    }
-    if (frame_.rough->concerns(hit)) {
-        const glm::vec3 found = frame_.rough->meet(
-            path.tree, hit, surface, met, {mediumOf(path, met.from), mediumOf(path, met.to)},
-            path.sampler, path.chosen);
-        if (path.chosen.behind != glm::vec3(0.0f)) {
-            path.covered = meanShare(-found, path.chosen.behind);
-        } else {
-            path.radiance += found;
-        }
-        return true;
-    }
-    const Chosen chosen = std::exchange(path.chosen, {});
-    if (hit.surface >= 0 || chosen.pdf <= 0.0f) return false;
-    path.radiance += frame_.rough->escape(path.tree.branch, chosen);
-    (void)transport::escape(path.tree);
-    return true;
+void PathPool::start(Path& path, std::uint32_t number) const noexcept {
+    const CameraSample& sample = samples_[number];
+    // In its place: a tree is a thousand bytes, of which few mean anything yet.
+    new (&path) Path{.tree = transport::startTree(cameraBranch(sample), sample.sampler.pixelSeed,
+                                                  sample.sampler.index),
+                     .sample = number,
+                     .sampler = sample.sampler};
+    path.tree.rays = 1;
 }
 
 bool PathPool::wantsRay(Path& path) noexcept {
@@ -323,32 +246,34 @@ void PathPool::traceAll() {
     std::iota(live.begin(), live.end(), std::uint8_t{0});
     std::size_t alive = 0;
     std::size_t next = 0;  // of the first hits
-    const auto refill = [&] {
-        while (alive < kPaths && next < firstHits_.size()) {
-            const FirstHit& first = firstHits_[next++];
-            const CameraSample& sample = samples_[first.sample];
-            Path& path = paths_[live[alive]];
-            path.tree = transport::startTree(cameraBranch(sample), sample.sampler.pixelSeed,
-                                             sample.sampler.index);
-            path.radiance = glm::vec3(0.0f);
-            path.sample = first.sample;
-            path.tree.rays = 1;
-            path.chosen = {};
-            path.wavelength = 0.0f;
-            path.covered = 1.0f;
-            path.sampler = sample.sampler;
-            meet(path, first.hit);
-            if (wantsRay(path)) {
-                ++alive;
+    const auto meetAll = [&](std::size_t begin, const std::array<RayHit, kPacketWidth>& hits,
+                             std::size_t count) {
+        meetTogether(std::span(live).subspan(begin, count), hits);
+    };
+    const auto keepUnended = [&](std::size_t begin) {
+        for (std::size_t i = begin; i < alive;) {
+            if (wantsRay(paths_[live[i]])) {
+                ++i;
             } else {
-                finish(path);
+                finish(paths_[live[i]]);
+                std::swap(live[i], live[--alive]);
             }
         }
     };
-
-    const auto meetAll = [&](std::size_t begin, const std::array<RayHit, kPacketWidth>& hits,
-                             std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) meet(paths_[live[begin + i]], hits[i]);
+    const auto refill = [&] {
+        std::array<RayHit, kPacketWidth> hits;
+        while (alive < kPaths && next < firstHits_.size()) {
+            const std::size_t begin = alive;
+            const std::size_t count =
+                std::min({kPacketWidth + 0ul, kPaths - alive, firstHits_.size() - next});
+            for (std::size_t i = 0; i < count; ++i) {
+                const FirstHit& first = firstHits_[next++];
+                start(paths_[live[alive++]], first.sample);
+                hits[i] = first.hit;
+            }
+            meetAll(begin, hits, count);
+            keepUnended(begin);
+        }
     };
 
     RayPacket packet;
@@ -370,14 +295,7 @@ void PathPool::traceAll() {
             if (begin > 0) meetAll(begin - kPacketWidth, before, kPacketWidth);
             if (begin + kPacketWidth >= alive) meetAll(begin, hits, count);
         }
-        for (std::size_t i = 0; i < alive;) {
-            if (wantsRay(paths_[live[i]])) {
-                ++i;
-            } else {
-                finish(paths_[live[i]]);
-                std::swap(live[i], live[--alive]);
-            }
-        }
+        keepUnended(0);
         if (alive < kFewPaths) refill();
     }
     settle();

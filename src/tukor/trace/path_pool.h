@@ -1,9 +1,11 @@
 // Many light paths at once: trees in a pool whose rays are cast in full packets.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "tukor/trace/event_lanes.h"
 #include "tukor/trace/frame.h"
 #include "tukor/trace/rough_event.h"
 #include "tukor/trace/sampler.h"
@@ -56,13 +58,13 @@ public:
 private:
     struct Path {
         transport::Tree tree;
-        glm::vec3 radiance;
+        glm::vec3 radiance{0.0f};
         std::uint32_t sample;  // of those under way
-        bool grazing;          // its tree was not followed: see splitGrazing
-        PathSampler sampler;
-        Chosen chosen;     // where RoughEvent chose the branch's direction
-        float wavelength;  // nm; 0 until something disperses the light
-        float covered;     // of what lies behind the sample; 1 but for shadows on nothing
+        bool grazing = false;  // its tree was not followed: see splitGrazing
+        PathSampler sampler{};
+        Chosen chosen{};          // where RoughEvent chose the branch's direction
+        float wavelength = 0.0f;  // nm; 0 until something disperses the light
+        float covered = 1.0f;     // of what lies behind the sample; 1 but for shadows on nothing
     };
     struct FirstHit {
         RayHit hit;
@@ -83,6 +85,11 @@ private:
     /// What a camera ray sees that meets nothing.
     void miss(const CameraSample& sample) noexcept;
     [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample) const noexcept;
+    void start(Path& path, std::uint32_t number) const noexcept;
+    /// What up to eight rays have met, each that of the path of that number.
+    void meetTogether(std::span<const std::uint8_t> numbers,
+                      const std::array<RayHit, kPacketWidth>& hits) noexcept;
+    /// The same of one.
     void meet(Path& path, const RayHit& found) noexcept;
     /// Light that meets a surface of something that disperses it goes on as that of one wavelength.
     void disperse(Path& path, const transport::Encounter& met) const noexcept;
@@ -104,6 +111,7 @@ private:
     const Frame& frame_;
     std::span<const CameraSample> samples_;  // those under way
     std::span<PixelSum> sums_;
+    EventLanes lanes_;
     LookUpBatch lookUps_;
     std::vector<Owed> owed_;
     std::vector<Path> paths_;

@@ -123,6 +123,13 @@ public:
             s.normalE2 = t.normalE2;
             s.normal = t.n0 + uv.x * t.normalE1 + uv.y * t.normalE2;
         }
+        describe(hit, s);
+        return s;
+    }
+
+    /// The part of at() that is not where it was met.
+    void describe(const RayHit& hit, transport::SurfaceHit& s) const noexcept {
+        const Entry& entry = entries_[static_cast<std::size_t>(hit.surface)];
         s.triangle = entry.firstTriangle + hit.triangle;
         s.kind = static_cast<int>(entry.material.kind);
         s.tint = entry.material.tint;
@@ -130,7 +137,6 @@ public:
         s.k = entry.material.k;
         s.inside = entry.inside;
         s.outside = entry.outside;
-        return s;
     }
 
 private:

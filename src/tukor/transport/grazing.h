@@ -12,13 +12,19 @@ TUKOR_SHARED_BEGIN(transport)
 TUKOR_CONST int kFinerSamples = 16;     // take the place of one that grazes, each with a sixteenth
 TUKOR_CONST float kFinerWidth = 0.25f;  // of its weight and this part of its footprint's width
 
+/// Whether the angle to a surface whose normal changes by `change` over the footprint of a ray `d`
+/// changes by a sixteenth of its cosine.
+TUKOR_FN bool bendsAway(NormalChange change, vec3 d, float cosThetaI) {
+    return cosThetaI <= 0.5f && abs(dot(d, change.x)) + abs(dot(d, change.y)) > cosThetaI / 16.0f;
+}
+
 /// Whether a camera ray of footprint `f` and direction `d` meets a curved clear surface so near its
-/// outline that the angle to it changes over the footprint by a sixteenth of its cosine.
+/// outline.
 TUKOR_FN bool grazes(Footprint f, vec3 d, SurfaceHit hit, Facing face) {
     if (hit.kind != kDielectric || face.cosThetaI > 0.5f) return false;
     NormalChange change =
         normalChangeOver(footprintAtSurface(f, d, hit.distance, face.ng), hit, face);
-    return abs(dot(d, change.x)) + abs(dot(d, change.y)) > face.cosThetaI / 16.0f;
+    return bendsAway(change, d, face.cosThetaI);
 }
 
 /// Where finer sample `index` lies from the one with `seed` that it is part of, in widths of that.

@@ -72,21 +72,26 @@ struct Encounter {
     bool consistent;
 };
 
-/// Which media meet where `branch` hit a surface.
-TUKOR_FN Encounter encounter(Branch branch, SurfaceHit hit) {
+/// Which media meet at a surface that a ray inside of `media` sees as `face`.
+TUKOR_FN Encounter encounterAt(Facing face, uint media, SurfaceHit hit) {
     Encounter met;
-    met.face = facingSurface(hit, branch.direction);
-    met.from = mediumOf(branch.media);
-    met.beyond = branch.media;
-    met.consistent = met.face.front;
+    met.face = face;
+    met.from = mediumOf(media);
+    met.beyond = media;
+    met.consistent = face.front;
     if (hit.kind == kDielectric) {
-        uint entered = met.face.front ? hit.inside : hit.outside;
-        uint left = met.face.front ? hit.outside : hit.inside;
-        met.beyond = (branch.media & ~left) | entered;
-        met.consistent = (branch.media & entered) == 0u && (branch.media & left) == left;
+        uint entered = face.front ? hit.inside : hit.outside;
+        uint left = face.front ? hit.outside : hit.inside;
+        met.beyond = (media & ~left) | entered;
+        met.consistent = (media & entered) == 0u && (media & left) == left;
     }
     met.to = mediumOf(met.beyond);
     return met;
+}
+
+/// The same where `branch` hit it.
+TUKOR_FN Encounter encounter(Branch branch, SurfaceHit hit) {
+    return encounterAt(facingSurface(hit, branch.direction), branch.media, hit);
 }
 
 /// Begins a step, with the next branch where one has ended. Whether that branch may not go on.
@@ -185,6 +190,34 @@ TUKOR_FN Deposits splitBranch(TUKOR_INOUT(Tree) tree, Branch a, Branch b, float 
     return deposits;
 }
 
+/// Which of its ways light goes on; where chance decides, that way gets all of it in `s`.
+TUKOR_CONST int kReflects = 0;
+TUKOR_CONST int kRefracts = 1;
+TUKOR_CONST int kSplits = 2;
+
+TUKOR_FN int wayOn(TUKOR_INOUT(Tree) tree, TUKOR_INOUT(Scattering) s, float weight,
+                   float splitGain) {
+    if (s.T <= 0.0f) return kReflects;
+    if (followsBoth(weight, s.R.x, tree.rays, splitGain)) return kSplits;
+    bool reflects = nextRandom(tree) < s.R.x;
+    s.R = vec3(1.0f);
+    s.T = 1.0f;
+    return reflects ? kReflects : kRefracts;
+}
+
+/// A branch that carries too little to be followed becomes a look-up.
+TUKOR_PROCEDURE endIfLight(TUKOR_INOUT(Tree) tree, TUKOR_INOUT(Deposits) deposits,
+                           float weightCutoff) {
+    float weight = heaviness(tree.branch.throughput);
+    if (weight < weightCutoff || !(weight > 0.0f)) {
+        if (weight > 0.0f) {
+            addDeposit(deposits, depositOf(tree.branch));
+            tree.truncated = tree.truncated + 1;
+        }
+        endBranch(tree);
+    }
+}
+
 /// The current branch has met a surface; `from` and `to` are the media that `met` names.
 TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met, Medium from,
                           Medium to, TransportSettings settings) {
@@ -214,30 +247,16 @@ TUKOR_FN Deposits scatter(TUKOR_INOUT(Tree) tree, SurfaceHit hit, Encounter met,
     }
 
     Deposits deposits = noDeposits();
-    if (s.T <= 0.0f) {
+    int way = wayOn(tree, s, heaviness(at.throughput), settings.splitGain);
+    if (way == kReflects) {
         tree.branch = reflectedBranch(at, change, met, s);
-    } else if (!followsBoth(heaviness(at.throughput), s.R.x, tree.rays, settings.splitGain)) {
-        bool reflects = nextRandom(tree) < s.R.x;
-        s.R = vec3(1.0f);
-        s.T = 1.0f;
-        if (reflects) {
-            tree.branch = reflectedBranch(at, change, met, s);
-        } else {
-            tree.branch = refractedBranch(at, change, met, s);
-        }
+    } else if (way == kRefracts) {
+        tree.branch = refractedBranch(at, change, met, s);
     } else {
         deposits = splitBranch(tree, refractedBranch(at, change, met, s),
                                reflectedBranch(at, change, met, s), settings.weightCutoff);
     }
-
-    float weight = heaviness(tree.branch.throughput);
-    if (weight < settings.weightCutoff || !(weight > 0.0f)) {
-        if (weight > 0.0f) {
-            addDeposit(deposits, depositOf(tree.branch));
-            tree.truncated = tree.truncated + 1;
-        }
-        endBranch(tree);
-    }
+    endIfLight(tree, deposits, settings.weightCutoff);
     return deposits;
 }
 

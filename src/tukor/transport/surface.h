@@ -59,15 +59,17 @@ TUKOR_FN Facing facingSurface(SurfaceHit hit, vec3 d) {
     float slope = dot(d, ng);
     face.front = slope <= 0.0f;
     face.side = face.front ? 1.0f : -1.0f;
-    face.ng = slope == 0.0f ? -d : ng * face.side;  // a sliver without area faces the ray
+    ng = slope == 0.0f ? -d : ng * face.side;  // a sliver without area faces the ray
     float l2 = dot(hit.normal, hit.normal);
-    face.n = l2 > 0.0f ? hit.normal * (face.side * inversesqrt(l2)) : face.ng;
-    face.cosThetaI = -dot(d, face.n);
-    if (!(face.cosThetaI >= 1e-4f)) {  // 0.006 degrees from grazing: R is 1 there anyway
-        face.n = face.ng;
-        face.cosThetaI = -dot(d, face.n);
+    vec3 n = l2 > 0.0f ? hit.normal * (face.side * inversesqrt(l2)) : ng;
+    float c = -dot(d, n);
+    if (!(c >= 1e-4f)) {  // 0.006 degrees from grazing: R is 1 there anyway
+        n = ng;
+        c = -dot(d, n);
     }
-    face.cosThetaI = clamp(face.cosThetaI, 1e-6f, 1.0f);
+    face.n = n;
+    face.ng = ng;
+    face.cosThetaI = clamp(c, 1e-6f, 1.0f);
     return face;
 }
 
