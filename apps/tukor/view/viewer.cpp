@@ -88,9 +88,10 @@ private:
     }
 
     void frameModel() {
-        const auto fov = wanted_.camera.fovDegrees;
-        wanted_.camera = {};
-        wanted_.camera.fovDegrees = fov;
+        CameraOptions lens;
+        lens.fovDegrees = wanted_.camera.fovDegrees;
+        lens.aperture = wanted_.camera.aperture;
+        wanted_.camera = lens;
     }
 
     PanelRequests showPanels() {

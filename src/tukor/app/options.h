@@ -79,6 +79,8 @@ struct CameraOptions {
     std::optional<glm::vec3> target;
     std::optional<glm::vec3> up;
     std::optional<float> fovDegrees;  // vertical
+    float aperture = 0.0f;            // diameter of the lens in metres
+    std::optional<float> focus;       // metres; none: the distance of the target
 
     friend bool operator==(const CameraOptions&, const CameraOptions&) = default;
 };
@@ -206,6 +208,11 @@ void describe(Options& o, Visitor&& field) {
     field("fov", o.fovDegrees, Measure<float>{"DEG", {0.1f, 175.0f}},
           "vertical field of view; 40, or that of --camera");
     field("camera", o.camera, Placeholder{"NAME"}, "a camera of the model file");
+    field("aperture", o.aperture, Measure<float>{"M", {0.0f, 1e6f}},
+          "diameter of the lens in metres, 0.018 for 50 mm at f/2.8: blurs what is nearer or "
+          "farther than --focus; 0 blurs nothing (trace)");
+    field("focus", o.focus, Measure<float>{"M", {1e-6f, 1e6f}, true},
+          "distance from the eye, along the view, of what is sharp; that of the target");
 }
 
 template <OptionsOf<QualityOptions> Options, class Visitor>

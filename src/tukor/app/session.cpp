@@ -141,6 +141,8 @@ Camera cameraFromOptions(const CameraOptions& options, const Scene& scene, Pictu
     if (options.target) camera.target = *options.target;
     if (options.up) camera.up = *options.up;
     if (options.fovDegrees) camera.verticalFov = glm::radians(*options.fovDegrees);
+    camera.lensDiameter = options.aperture;
+    camera.focus = options.focus.value_or(0.0f);
     if (camera.eye == camera.target) {
         throw Error(
             fmt::format("eye and target are both {},{},{}; a camera needs a direction to "
@@ -156,6 +158,8 @@ CameraOptions optionsFromCamera(const Camera& camera, const CameraOptions& befor
     options.eye = camera.eye;
     options.target = camera.target;
     if (camera.up != Camera{}.up) options.up = camera.up;
+    options.aperture = camera.lensDiameter;
+    if (camera.focus > 0.0f) options.focus = camera.focus;
     const float degrees = before.fovDegrees.value_or(40.0f);
     options.fovDegrees =
         glm::radians(degrees) == camera.verticalFov ? degrees : glm::degrees(camera.verticalFov);

@@ -29,6 +29,10 @@ std::vector<std::string> Session::warnings() const {
         all.emplace_back(
             "gl refracts light in rough glass once, absorbs none and shows nothing behind it but "
             "the environment; --renderer trace shows all");
+    if (options_.camera.aperture > 0.0f && lookUps_ == LookUps::cube)
+        all.emplace_back(
+            "gl draws all sharp, whatever the --aperture; --renderer trace blurs what is out of "
+            "focus");
     for (const std::string& warning : environment_->warnings) {
         all.push_back(environment_->name + ": " + warning);
     }

@@ -1,4 +1,4 @@
-// Pinhole cameras, and the matrices of the lecture's rows 18 and 19.
+// Cameras, and the matrices of the lecture's rows 18 and 19.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -12,6 +12,8 @@ struct Camera {
     glm::vec3 target{0.0f};
     glm::vec3 up{0.0f, 1.0f, 0.0f};
     float verticalFov = 0.69813170f;  // radians; 40 degrees
+    float lensDiameter = 0.0f;        // metres; 0: a pinhole, of which all pictures are sharp
+    float focus = 0.0f;  // metres along the view to the plane of which a lens's are; 0: to `target`
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };

@@ -18,17 +18,36 @@ struct RayGenerator {
         const auto w = static_cast<float>(width), h = static_cast<float>(height);
         perColumn = (rayDirection(camera, width, height, w, 0.0f) - corner) / w;
         perRow = (rayDirection(camera, width, height, 0.0f, h) - corner) / h;
+        if (!(camera.lensDiameter > 0.0f)) return;
+        const CameraAxes axes = axesOf(camera);
+        forward = axes.forward;
+        lensRight = 0.5f * camera.lensDiameter * axes.right;
+        lensUp = 0.5f * camera.lensDiameter * axes.up;
+        focus = camera.focus > 0.0f ? camera.focus : glm::distance(camera.eye, camera.target);
     }
 
-    /// Not normalised.
+    /// Not normalised: as long as the plane at distance 1 is away.
     [[nodiscard]] glm::vec3 direction(float x, float y) const noexcept {
         return corner + x * perColumn + y * perRow;
     }
+
+    /// From the eye to a point of the lens, which is the unit disc.
+    [[nodiscard]] glm::vec3 offset(glm::vec2 onLens) const noexcept {
+        return onLens.x * lensRight + onLens.y * lensUp;
+    }
+    /// Not normalised either: from there to where the ray through the eye meets what is in focus.
+    [[nodiscard]] glm::vec3 direction(glm::vec2 place, glm::vec2 onLens) const noexcept {
+        return direction(place.x, place.y) - offset(onLens) / focus;
+    }
+    [[nodiscard]] bool hasLens() const noexcept { return lensUp != glm::vec3(0.0f); }
 
     glm::vec3 eye;
     glm::vec3 corner;
     glm::vec3 perColumn;
     glm::vec3 perRow;
+    glm::vec3 lensRight{0.0f}, lensUp{0.0f};  // its radius; 0 of a pinhole, which has no
+    glm::vec3 forward{0.0f};                  // of these
+    float focus = 1.0f;
 };
 
 class RoughEvent;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tukor/base/parallel.h"
 #include "tukor/transport/look_ups.h"
@@ -139,11 +140,16 @@ void Passes::tile(int number) {
             const transport::PixelPart part =
                 goals_.samples == 1 ? transport::PixelPart{glm::vec2(0.5f), glm::vec2(width)}
                                     : transport::pixelPart(seed, s, width);
-            batch.push_back({corner + part.middle,
-                             part.size,
-                             target,
-                             transport::sampleSeed(seed, s),
-                             {seed, s}});
+            CameraSample& sample =
+                batch.emplace_back(CameraSample{.middle = corner + part.middle,
+                                                .size = part.size,
+                                                .target = target,
+                                                .seed = transport::sampleSeed(seed, s),
+                                                .sampler = {seed, s}});
+            if (frame_.camera.hasLens()) {
+                sample.onLens = onLens(lensSample(seed, s));
+                sample.lensSize = std::sqrt(std::numbers::pi_v<float>) * width;
+            }
             if (batch.size() == kBatch) flush();
         }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -43,14 +44,27 @@ PathPool::PathPool(const Frame& frame) : frame_(frame), paths_(kPaths) {
     owed_.reserve(LookUpBatch::kRoom);
 }
 
-transport::Branch PathPool::cameraBranch(const CameraSample& sample) const noexcept {
-    const glm::vec3 direction = frame_.camera.direction(sample.middle.x, sample.middle.y);
+transport::Branch PathPool::cameraBranch(const CameraSample& sample,
+                                         float distance) const noexcept {
+    const glm::vec3 direction = frame_.camera.direction(sample.middle, sample.onLens);
     transport::Branch ray;
-    ray.origin = frame_.camera.eye;
+    ray.origin = frame_.camera.eye + frame_.camera.offset(sample.onLens);
     ray.direction = glm::normalize(direction);
     ray.throughput = glm::vec3(1.0f);
     ray.footprint = transport::cameraFootprint(direction, frame_.camera.perColumn * sample.size.x,
                                                frame_.camera.perRow * sample.size.y);
+    if (sample.lensSize > 0.0f) {
+        // What lies beyond the focus is seen the other way round over the lens: there the sample's
+        // parts of the lens and of the pixel add up where the lens is taken the other way round.
+        const RayGenerator& camera = frame_.camera;
+        const float size = distance * dot(ray.direction, camera.forward) > camera.focus
+                               ? -sample.lensSize
+                               : sample.lensSize;
+        ray.footprint.originX = size * camera.lensRight;
+        ray.footprint.originY = -size * camera.lensUp;  // rows go down
+        ray.footprint.directionX -= ray.footprint.originX / camera.focus;
+        ray.footprint.directionY -= ray.footprint.originY / camera.focus;
+    }
     ray.media = frame_.eyeMedia;
     ray.skip = -1;
     ray.depth = 0;
@@ -67,8 +81,8 @@ void PathPool::castCameraRays() {
             static_cast<int>(std::min<std::size_t>(kPacketWidth, samples.size() - begin));
         for (int i = 0; i < count; ++i) {
             const CameraSample& s = samples[begin + static_cast<std::size_t>(i)];
-            packet.set(i, frame_.camera.eye,
-                       glm::normalize(frame_.camera.direction(s.middle.x, s.middle.y)), -1);
+            packet.set(i, frame_.camera.eye + frame_.camera.offset(s.onLens),
+                       glm::normalize(frame_.camera.direction(s.middle, s.onLens)), -1);
         }
         frame_.caster.cast(packet, count, Coherence::rays, hits);
         for (int i = 0; i < count; ++i) {
@@ -88,7 +102,7 @@ void PathPool::castCameraRays() {
 void PathPool::miss(const CameraSample& sample) noexcept {
     if (!frame_.background) return;
     PixelSum& sum = sums_[static_cast<std::size_t>(sample.target)];
-    const transport::Branch ray = cameraBranch(sample);
+    const transport::Branch ray = cameraBranch(sample, std::numeric_limits<float>::infinity());
     const float solidAngle = transport::footprintSolidAngle(ray.footprint);
     if (frame_.backdrop) {
         sum.radiance += sample.weight * frame_.backdrop->radiance(ray.direction, solidAngle);
@@ -134,12 +148,12 @@ void PathPool::settle() noexcept {
     owed_.clear();
 }
 
-void PathPool::start(Path& path, std::uint32_t number) const noexcept {
-    const CameraSample& sample = samples_[number];
+void PathPool::start(Path& path, const FirstHit& first) const noexcept {
+    const CameraSample& sample = samples_[first.sample];
     // In its place: a tree is a thousand bytes, of which few mean anything yet.
-    new (&path) Path{.tree = transport::startTree(cameraBranch(sample), sample.sampler.pixelSeed,
-                                                  sample.sampler.index),
-                     .sample = number,
+    new (&path) Path{.tree = transport::startTree(cameraBranch(sample, first.hit.distance),
+                                                  sample.sampler.pixelSeed, sample.sampler.index),
+                     .sample = first.sample,
                      .sampler = sample.sampler};
     path.tree.rays = 1;
 }
@@ -268,7 +282,7 @@ void PathPool::traceAll() {
                 std::min({kPacketWidth + 0ul, kPaths - alive, firstHits_.size() - next});
             for (std::size_t i = 0; i < count; ++i) {
                 const FirstHit& first = firstHits_[next++];
-                start(paths_[live[alive++]], first.sample);
+                start(paths_[live[alive++]], first);
                 hits[i] = first.hit;
             }
             meetAll(begin, hits, count);

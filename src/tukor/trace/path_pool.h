@@ -20,6 +20,8 @@ struct CameraSample {
     std::uint32_t seed;
     PathSampler sampler{};
     float weight = 1.0f;
+    glm::vec2 onLens{0.0f};  // of the unit disc
+    float lensSize = 0.0f;   // of the part of the lens that it stands for, likewise
 };
 
 struct PixelSum {
@@ -84,8 +86,10 @@ private:
     void castCameraRays();
     /// What a camera ray sees that meets nothing.
     void miss(const CameraSample& sample) noexcept;
-    [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample) const noexcept;
-    void start(Path& path, std::uint32_t number) const noexcept;
+    /// The ray of a sample that meets something, or nothing, at `distance`.
+    [[nodiscard]] transport::Branch cameraBranch(const CameraSample& sample,
+                                                 float distance) const noexcept;
+    void start(Path& path, const FirstHit& first) const noexcept;
     /// What up to eight rays have met, each that of the path of that number.
     void meetTogether(std::span<const std::uint8_t> numbers,
                       const std::array<RayHit, kPacketWidth>& hits) noexcept;

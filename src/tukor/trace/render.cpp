@@ -95,7 +95,7 @@ Rendering renderUnder(const EnvironmentMap& map, const EnvironmentMap* backdrop,
         .backdrop = backdrop,
     };
     std::vector<std::uint8_t> silhouette;
-    if (paysToRasterize(surfaces, options)) {
+    if (!frame.camera.hasLens() && paysToRasterize(surfaces, options)) {
         silhouette = silhouetteOf(surfaces, frame.camera, frame.width, frame.height);
         frame.silhouette = silhouette;
     }
