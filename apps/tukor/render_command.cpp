@@ -15,26 +15,11 @@
 #include "progress_bar.h"
 #include "tukor/app/option_table.h"
 #include "tukor/app/picture.h"
+#include "tukor/app/series.h"
 #include "tukor/app/session.h"
-#include "tukor/app/turntable.h"
 
 namespace tukor {
 namespace {
-
-/// Several pictures from one command.
-struct SeriesOptions {
-    std::optional<int> turntable;
-
-    friend bool operator==(const SeriesOptions&, const SeriesOptions&) = default;
-};
-
-template <OptionsOf<SeriesOptions> Options, class Visitor>
-void describe(Options& o, Visitor&& field) {
-    field("turntable", o.turntable, Measure<int>{"N", {2, 10000}},
-          "N pictures of the model turning once around before a still camera in still light: OUT "
-          "as turn-####.png, whose # become the number; without # turn.png is turn-0001.png and so "
-          "on");
-}
 
 struct RenderArguments {
     SessionOptions session;
@@ -43,11 +28,6 @@ struct RenderArguments {
     bool quiet = false;
     bool printOptions = false;
 };
-
-std::filesystem::path pathOf(const RenderArguments& arguments, int index) {
-    return arguments.series.turntable ? numberedPath(arguments.out, index + 1)
-                                      : std::filesystem::path(arguments.out);
-}
 
 /// Says each thing once, whatever the figures and however many pictures it is true of.
 class Warnings {
@@ -70,22 +50,28 @@ int render(const RenderArguments& arguments) {
         fmt::print("{}\n", jsonFromOptions(arguments.session));
         return 0;
     }
-    const int count = arguments.series.turntable.value_or(1);
+    const Series series(arguments.series, arguments.session);
+    const auto pathOf = [&](int index) {
+        return series.several() ? numberedPath(arguments.out, index + 1)
+                                : std::filesystem::path(arguments.out);
+    };
     // before any time is spent
-    requireWritablePicture(pathOf(arguments, 0), arguments.session);
-    Session session(arguments.session, rendererFor(arguments.session) == Renderer::trace
-                                           ? LookUps::panorama
-                                           : LookUps::cube);
-    const Camera camera = session.camera();
+    requireWritablePicture(pathOf(0), arguments.session);
+    Session session(series.first(), rendererFor(arguments.session) == Renderer::trace
+                                        ? LookUps::panorama
+                                        : LookUps::cube);
     Warnings warnings(arguments.quiet);
     for (const std::string& unused : unusedInFile(arguments.out, arguments.session))
         warnings.say(unused);
     for (const std::string& warning : session.warnings()) warnings.say(warning);
     const InterruptWatch watch;
+    const Camera camera = session.camera();
+    const std::optional<float> ground = session.renderOptions().ground;
+    const int count = series.count();
     for (int i = 0; i < count; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        const std::string out = pathOf(arguments, i).string();
-        session.apply(turntableOptions(arguments.session, camera, i, count));
+        const std::string out = pathOf(i).string();
+        session.apply(series.optionsOf(i, camera, ground));
         float finished = 0.0f;
         Rendering rendering;
         {
@@ -135,6 +121,8 @@ Command renderCommand() {
             "knot.exr\n"
             "  tukor render ring.stl --model-up z --model-scale 0.001 --turntable 48 -o "
             "turn-####.png\n"
+            "  tukor render watch.glb --fps 25 --eye 0,0.1,0.3 -o film/tick-####.png\n"
+            "  tukor render ring.glb --aperture 0.01 --focus 0.2 --error 0.5 -o macro.png\n"
             "  tukor render sphere --fidelity single -o textbook.png   (one reflection, one "
             "refraction)",
         .check =

@@ -40,7 +40,10 @@ std::vector<ModelOptions> modelOptions(const SubjectOptions& subject) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         const ModelChoices choices = choicesOf(subject.models[i]);
         for (const std::string& name : choices.variants) variants.push_back(printable(name));
-        for (const std::string& name : choices.animations) animations.push_back(printable(name));
+        for (std::size_t n = 0; n < choices.animations.size(); ++n) {
+            const std::string& name = choices.animations[n];
+            animations.push_back(name.empty() ? fmt::format("{}", n) : printable(name));
+        }
         if (isAmong(choices.variants, subject.variant, Naming::byName)) {
             all[i].variant = subject.variant;
             variantKnown = true;

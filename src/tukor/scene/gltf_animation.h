@@ -28,4 +28,8 @@ using GltfPose = std::map<std::size_t, GltfNodePose>;
 [[nodiscard]] GltfPose poseAt(const GltfDocument& document, std::string_view animation,
                               double seconds);
 
+/// How long an animation lasts, in seconds: when its last channel stands still; 0 where there is
+/// none of that name. Throws Error.
+[[nodiscard]] double secondsOf(const GltfDocument& document, std::string_view animation);
+
 }  // namespace tukor

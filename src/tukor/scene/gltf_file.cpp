@@ -233,4 +233,9 @@ ModelChoices gltfChoices(const std::filesystem::path& path, std::span<const std:
     return choices;
 }
 
+double gltfSeconds(const std::filesystem::path& path, std::span<const std::byte> bytes,
+                   std::string_view animation) {
+    return secondsOf(GltfDocument(path, bytes), animation);
+}
+
 }  // namespace tukor

@@ -21,4 +21,8 @@ namespace tukor {
 [[nodiscard]] ModelChoices gltfChoices(const std::filesystem::path& path,
                                        std::span<const std::byte> bytes);
 
+/// How long an animation of such a file lasts, in seconds; which as in ModelOptions. Throws Error.
+[[nodiscard]] double gltfSeconds(const std::filesystem::path& path,
+                                 std::span<const std::byte> bytes, std::string_view animation);
+
 }  // namespace tukor

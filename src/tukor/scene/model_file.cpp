@@ -121,4 +121,11 @@ ModelChoices choicesOf(const std::string& nameOrPath) {
     return gltfChoices(nameOrPath, file.bytes());
 }
 
+double animationSeconds(const std::string& nameOrPath, const std::string& animation) {
+    if (meansShape(nameOrPath)) return 0.0;
+    const MappedFile file = opened(nameOrPath);
+    if (formatOf(nameOrPath, file.bytes()) != Format::gltf) return 0.0;
+    return gltfSeconds(nameOrPath, file.bytes(), animation);
+}
+
 }  // namespace tukor
