@@ -5,6 +5,8 @@ usage: view_test.py PROGRAM [FOLDER]    FOLDER keeps the pictures
 
 Needs Xvfb, xdotool and xclip; exits with 77, skipped, without them.
 """
+import base64
+import json
 import os
 import re
 import shlex
@@ -258,6 +260,32 @@ def test_panel(folder):
     viewer.close()
 
 
+def test_animation(folder):
+    """A model plays, and pauses; the command is that of the moment."""
+    data = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + struct.pack("<2f", 0, 2) + struct.pack("<6f", 0, 0, 0, 0, -1, 0)
+    accessors = [{"bufferView": 0, "componentType": 5126, "type": kind, "count": count, "byteOffset": offset}
+                 for kind, count, offset in (("VEC3", 3, 0), ("SCALAR", 2, 36), ("VEC3", 2, 44))]
+    document = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": len(data), "uri": "data:;base64," + base64.b64encode(data).decode()}],
+                "bufferViews": [{"buffer": 0, "byteLength": len(data)}], "accessors": accessors,
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}],
+                "animations": [{"samplers": [{"input": 1, "output": 2}],
+                                "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]}
+    with open(os.path.join(folder, "falling.gltf"), "w", encoding="ascii") as file:
+        json.dump(document, file)
+    viewer = Viewer(folder, "falling.gltf", "--fidelity", "single", "--size", "700x400", "--samples", "4")
+    row = 1.0 if os.path.exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf") else 23 / 24
+    rest = viewer.picture()
+    button = (34, round(179 * row))
+    viewer.click(button)  # play
+    time.sleep(1)
+    viewer.click(button)  # pause
+    moment = viewer.picture()
+    words = copied_command(viewer)
+    assert 0 < float(words[words.index("--time-seconds") + 1]) < 2, words
+    assert rmse(rest, moment) > 1, "nothing moves"
+    viewer.close()
+
+
 def test_layout(folder):
     """Keys are what they type: of a French keyboard q is where that of the US has a."""
     subprocess.run(["setxkbmap", "fr"], check=True)
@@ -286,7 +314,7 @@ def main():
         if len(sys.argv) > 2:
             folder = sys.argv[2]
             os.makedirs(folder, exist_ok=True)
-        for test in (test_window, test_drops, test_panel, test_layout, test_wrong_start):
+        for test in (test_window, test_drops, test_panel, test_animation, test_layout, test_wrong_start):
             own = os.path.join(folder, test.__name__)
             os.makedirs(own, exist_ok=True)
             test(own)

@@ -10,24 +10,11 @@
 
 #include "tukor/geometry/shapes.h"
 #include "tukor/materials/materials.h"
+#include "view/choice.h"
 #include "view/option_widgets.h"
 
 namespace tukor {
 namespace {
-
-/// A list of names; returns the one that was chosen. `current` may be none of them.
-template <class Names>
-std::optional<std::string> choose(const char* label, const std::string& current,
-                                  const Names& names) {
-    std::optional<std::string> chosen;
-    if (!ImGui::BeginCombo(label, current.c_str())) return chosen;
-    for (const auto& candidate : names) {
-        std::string name(candidate);
-        if (ImGui::Selectable(name.c_str(), name == current)) chosen = std::move(name);
-    }
-    ImGui::EndCombo();
-    return chosen;
-}
 
 /// A line of text that counts when Enter is pressed.
 bool entered(const char* label, const char* hint, std::string& text) {
@@ -119,7 +106,7 @@ void Panel::showMaterials(const Session& session, SubjectOptions& subject) {
     }
 }
 
-void Panel::showSubject(const Session& session, SessionOptions& wanted) {
+void Panel::showSubject(const Session& session, SessionOptions& wanted, Playback& playback) {
     std::string current;
     for (const std::string& model : wanted.subject.models) {
         current += (current.empty() ? "" : ", ") + model;
@@ -127,6 +114,7 @@ void Panel::showSubject(const Session& session, SessionOptions& wanted) {
     std::optional<std::string> model = choose("model", current, shapeNames());
     if (entered("model file", "or drop one here", modelText_)) model = modelText_;
     if (model) wanted = withModels(std::move(wanted), {*model});
+    playback.show(session, wanted);
     std::vector<std::string> cameras;
     for (const NamedCamera& camera : session.scene().cameras) cameras.push_back(camera.name);
     if (!cameras.empty()) {
@@ -154,7 +142,8 @@ void Panel::showLight(LightOptions& light) {
 }
 
 PanelRequests Panel::show(const Session& session, SessionOptions& wanted,
-                          std::optional<gl::Comparison>& comparison, const PanelStatus& status) {
+                          std::optional<gl::Comparison>& comparison, Playback& playback,
+                          const PanelStatus& status) {
     const float unit = ImGui::GetFontSize();
     const ImVec2 area = ImGui::GetMainViewport()->WorkSize;
     ImGui::SetNextWindowPos({0.7f * unit, 0.7f * unit}, ImGuiCond_Once);
@@ -171,7 +160,7 @@ PanelRequests Panel::show(const Session& session, SessionOptions& wanted,
                                   .c_str());
     ImGui::PushItemWidth(0.55f * ImGui::GetContentRegionAvail().x);
     if (ImGui::CollapsingHeader("Model", ImGuiTreeNodeFlags_DefaultOpen)) {
-        showSubject(session, wanted);
+        showSubject(session, wanted, playback);
     }
     if (ImGui::CollapsingHeader("Materials", ImGuiTreeNodeFlags_DefaultOpen)) {
         showMaterials(session, wanted.subject);

@@ -6,6 +6,7 @@
 
 #include "tukor/app/session.h"
 #include "tukor/gl/renderer.h"
+#include "view/playback.h"
 
 namespace tukor {
 
@@ -27,10 +28,11 @@ class Panel {
 public:
     /// Shows the widgets; changes land in `wanted` and `comparison`, which the caller carries out.
     PanelRequests show(const Session& session, SessionOptions& wanted,
-                       std::optional<gl::Comparison>& comparison, const PanelStatus& status);
+                       std::optional<gl::Comparison>& comparison, Playback& playback,
+                       const PanelStatus& status);
 
 private:
-    void showSubject(const Session& session, SessionOptions& wanted);
+    void showSubject(const Session& session, SessionOptions& wanted, Playback& playback);
     void showMaterials(const Session& session, SubjectOptions& subject);
     void showLight(LightOptions& light);
 

@@ -45,7 +45,7 @@ public:
 
     int run() {
         while (!window_.closing()) {
-            const bool refining = !finished() && !moving();
+            const bool refining = (!finished() && !moving()) || playback_.playing();
             const double toRest = moving() ? 0.02 : 3600.0;
             window_.handleEvents(settling_ > 0 || refining,
                                  std::min(toRest, notices_.secondsToNextChange()));
@@ -85,6 +85,7 @@ private:
             wanted_.camera = optionsFromCamera(*movement.camera, wanted_.camera);
         }
         if (movement.frameModel) frameModel();
+        playback_.goOn(ImGui::GetIO().DeltaTime, session_, wanted_);
     }
 
     void frameModel() {
@@ -99,7 +100,7 @@ private:
         const ImGuiIO& io = ImGui::GetIO();
         if (!io.WantTextInput && window_.pressed(Key::tab)) panelShown_ = !panelShown_;
         if (panelShown_) {
-            requests = panel_.show(session_, wanted_, comparison_,
+            requests = panel_.show(session_, wanted_, comparison_, playback_,
                                    {renderer_.accumulatedSamples(), samplesWanted(), frameTime_});
         }
         if (comparison_) showDivider();
@@ -226,9 +227,10 @@ private:
     }
 
     void sayWarnings() {
-        for (const std::string& warning : session_.warnings()) {
-            notices_.add(Notices::Kind::news, warning);
-        }
+        const std::vector<std::string> warnings = session_.warnings();
+        if (warnings == warningsSaid_) return;  // of the same model a moment later
+        for (const std::string& warning : warnings) notices_.add(Notices::Kind::news, warning);
+        warningsSaid_ = warnings;
     }
 
     /// Those of a picture of so many samples a pixel: gl's own choice for files is another one.
@@ -264,10 +266,12 @@ private:
     Window window_;
     gl::Renderer renderer_;  // after the window: its objects live in the window's context
     Panel panel_;
+    Playback playback_;
     Hand hand_;
     Notices notices_;
     std::optional<gl::Comparison> comparison_;
     std::vector<Material> materialsSeen_;
+    std::vector<std::string> warningsSaid_;
     Pace pace_;
     std::optional<gl::FrameOptions> restSeen_;  // as it would be at rest
     std::optional<Camera> cameraSeen_;
