@@ -84,8 +84,8 @@ def throughput(scene, samples):
     turns = [(scenes.traversal(scene, samples, triangles=True), scenes.traversal(scene, samples), scenes.tukor(scene, "forest", ["--samples", samples]),
               scenes.start(scene, "forest")) for _ in range(3)]
     rays = turns[0][0][0]
-    triangles, closed = (min(turn[i][2] for turn in turns) for i in (0, 1))
-    building = min(turn[0][1] for turn in turns)
+    triangles, closed = (min(turn[i][1] for turn in turns) for i in (0, 1))
+    building = min(turn[0][2] for turn in turns)
     start = min(turn[3] for turn in turns)
     ours = min(turn[2][0] for turn in turns) - start
     cast = int(scenes.header_text(turns[0][2][1], "rays")) / 1e6 / rays
