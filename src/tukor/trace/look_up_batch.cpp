@@ -92,16 +92,23 @@ struct LevelTable {
 
 void cornersOf(const Places& places, const Lanes<int>& level, const LevelTable& table, int count,
                Corners& corners) {
-    for (int i = 0; i < count; ++i) {
+    Lanes<float> width, height;
+    Lanes<int> rows;
+    for (int i = 0; i < count; ++i) {  // by itself: what is looked up in a table is no vector
         const auto l = static_cast<std::size_t>(level[i]);
-        const float w = table.width[l], h = table.height[l];
+        width[i] = table.width[l];
+        height[i] = table.height[l];
+        rows[i] = table.rows[l];
+    }
+    for (int i = 0; i < count; ++i) {
+        const float w = width[i], h = height[i];
         // Borders shift all texels by one. Clamped so that not even a NaN reads out of bounds.
         const float u = std::min(std::max(0.0f, places.x[i] * w + 0.5f), w + 0.5f);
         const float v = std::min(std::max(0.0f, places.y[i] * h + 0.5f), h + 0.5f);
         const float column = std::min(std::floor(u), w), row = std::min(std::floor(v), h);
         corners.right[i] = u - column;
         corners.down[i] = v - row;
-        corners.line[i] = places.panel[i] * table.rows[l] + static_cast<int>(row);
+        corners.line[i] = places.panel[i] * rows[i] + static_cast<int>(row);
         corners.column[i] = static_cast<int>(column);
     }
 }
@@ -137,8 +144,16 @@ int EnvironmentMap::add(LookUpBatch& batch, glm::vec3 direction, glm::vec3 dx, g
     const float texelsPerRadian =
         transport::kTexelsPerRadian * static_cast<float>(equivalentFaceSize_);
     const transport::LookUps l = transport::lookUpsOver(dx, dy, texelsPerRadian, mostLookUps);
-    const glm::vec3 stepX = turned(l.stepX), stepY = turned(l.stepY);
     const glm::vec3 first = turned(direction + l.first);
+    if (l.across * l.down == 1) {  // most are
+        const auto n = static_cast<std::size_t>(batch.count++);
+        batch.x[n] = first.x;
+        batch.y[n] = first.y;
+        batch.z[n] = first.z;
+        batch.level[n] = l.level;
+        return 1;
+    }
+    const glm::vec3 stepX = turned(l.stepX), stepY = turned(l.stepY);
     for (int j = 0; j < l.down; ++j) {
         glm::vec3 at = first + static_cast<float>(j) * stepY;
         for (int i = 0; i < l.across; ++i, at += stepX) {
