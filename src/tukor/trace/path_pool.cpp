@@ -285,6 +285,8 @@ void PathPool::traceAll() {
                 start(paths_[live[alive++]], first);
                 hits[i] = first.hit;
             }
+            for (std::size_t i = next; i < std::min(next + kPacketWidth, firstHits_.size()); ++i)
+                frame_.surfaces.prefetch(firstHits_[i].hit);
             meetAll(begin, hits, count);
             keepUnended(begin);
         }

@@ -100,7 +100,6 @@ struct RayCaster::Embree {
                                    entry.indices.size());
         rtcSetGeometryUserData(
             geometry, reinterpret_cast<void*>(static_cast<std::uintptr_t>(entry.firstTriangle)));
-        rtcSetGeometryIntersectFilterFunction(geometry, skipOwnTriangle);
         attach(geometry);
     }
 
@@ -132,7 +131,7 @@ RayCaster::RayCaster(const SurfaceTable& surfaces) : embree_(std::make_unique<Em
     if (!embree_->device) throw Error("embree: this processor is not supported");
     embree_->scene = rtcNewScene(embree_->device);
     rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
-    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     embree_->addAll(surfaces);
     embree_->check("reading the triangles");
     rtcCommitScene(embree_->scene);
@@ -148,6 +147,8 @@ void RayCaster::cast(const RayPacket& rays, int count, Coherence coherence,
     rtcInitIntersectContext(&context);
     context.flags = coherence == Coherence::rays ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
                                                  : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    // Camera rays leave no triangle.
+    context.filter = coherence == Coherence::rays ? nullptr : skipOwnTriangle;
     RTCRayHit8 packet;
     alignas(32) int valid[kPacketWidth];
     static_assert(sizeof rays.originX == sizeof packet.ray.org_x);
