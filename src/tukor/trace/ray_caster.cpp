@@ -131,7 +131,8 @@ RayCaster::RayCaster(const SurfaceTable& surfaces) : embree_(std::make_unique<Em
     if (!embree_->device) throw Error("embree: this processor is not supported");
     embree_->scene = rtcNewScene(embree_->device);
     rtcSetSceneBuildQuality(embree_->scene, RTC_BUILD_QUALITY_MEDIUM);
-    rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(embree_->scene,
+                     RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     embree_->addAll(surfaces);
     embree_->check("reading the triangles");
     rtcCommitScene(embree_->scene);
