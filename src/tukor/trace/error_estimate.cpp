@@ -45,32 +45,37 @@ Step stepOf(glm::vec3 before, glm::vec3 now) noexcept {
     return {dot(shown, shown), dot(bright, bright)};
 }
 
+constexpr int kReach = 2;
+
 /// Sums over 5 values in a row, for every place of a line; fewer at its ends.
-void boxLine(const float* in, float* out, int count, std::size_t stride) {
-    constexpr int kReach = 2;
+void boxLine(const float* in, float* out, int count) {
     float sum = 0.0f;
-    const auto at = [&](int i) { return in[static_cast<std::size_t>(i) * stride]; };
-    for (int i = 0; i < std::min(kReach, count); ++i) sum += at(i);
+    for (int i = 0; i < std::min(kReach, count); ++i) sum += in[i];
     for (int i = 0; i < count; ++i) {
-        if (i + kReach < count) sum += at(i + kReach);
-        if (i - kReach - 1 >= 0) sum -= at(i - kReach - 1);
-        out[static_cast<std::size_t>(i) * stride] = sum;
+        if (i + kReach < count) sum += in[i + kReach];
+        if (i - kReach - 1 >= 0) sum -= in[i - kReach - 1];
+        out[i] = sum;
     }
 }
 
-/// Means over 5 x 5 pixels, of what is not negative. `rows` is for what comes between.
-void smooth(std::vector<float>& values, int w, int h, std::vector<float>& rows) {
-    rows.resize(values.size());
-    const auto stride = static_cast<std::size_t>(w);
+/// Means over 5 x 5 pixels, of what is not negative. `lines` is for what comes between.
+void smooth(std::vector<float>& values, int w, int h, std::vector<float>& lines) {
+    lines.resize(values.size());
+    const auto width = static_cast<std::size_t>(w);
+    const auto line = [&](int y) { return &lines[static_cast<std::size_t>(y) * width]; };
+    for (int y = 0; y < h; ++y) boxLine(&values[static_cast<std::size_t>(y) * width], line(y), w);
+    // Down all columns at once, as memory lies.
+    std::vector<float> sums(width, 0.0f);
+    const auto take = [&](const float* from, float sign) {
+        for (std::size_t x = 0; x < width; ++x) sums[x] += sign * from[x];
+    };
+    for (int y = 0; y < std::min(kReach, h); ++y) take(line(y), 1.0f);
     for (int y = 0; y < h; ++y) {
-        const std::size_t first = static_cast<std::size_t>(y) * stride;
-        boxLine(&values[first], &rows[first], w, 1);
+        if (y + kReach < h) take(line(y + kReach), 1.0f);
+        if (y - kReach - 1 >= 0) take(line(y - kReach - 1), -1.0f);
+        float* out = &values[static_cast<std::size_t>(y) * width];
+        for (std::size_t x = 0; x < width; ++x) out[x] = std::max(sums[x], 0.0f) / 25.0f;
     }
-    for (int x = 0; x < w; ++x) {
-        boxLine(&rows[static_cast<std::size_t>(x)], &values[static_cast<std::size_t>(x)], h,
-                stride);
-    }
-    for (float& value : values) value = std::max(value, 0.0f) / 25.0f;
 }
 
 }  // namespace
@@ -167,12 +172,12 @@ void ErrorEstimate::update(const Accumulation& picture) {
         rays_[i] = picture.raysEach(i);
     }
     known_ = true;
-    std::vector<float> rows;
+    std::vector<float> lines;
     variance_ = raw_;
     bright_ = rawBright_;
-    smooth(variance_, picture.width, picture.height, rows);
-    smooth(bright_, picture.width, picture.height, rows);
-    smooth(rays_, picture.width, picture.height, rows);
+    smooth(variance_, picture.width, picture.height, lines);
+    smooth(bright_, picture.width, picture.height, lines);
+    smooth(rays_, picture.width, picture.height, lines);
 }
 
 std::optional<double> ErrorEstimate::rmse() const noexcept {
