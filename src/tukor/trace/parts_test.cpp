@@ -274,6 +274,21 @@ TEST(Accumulation, SeesShadowsOnNothing) {
     EXPECT_EQ(step(false), 0.0f);
 }
 
+TEST(Accumulation, CountsWhatMoreSamplesWouldNotChange) {
+    Accumulation picture(2, 1);
+    for (int sample = 0; sample < 2; ++sample)
+        for (std::size_t i = 0; i < 2; ++i)
+            picture.add(i, {glm::vec3(0.1f + 0.3f * static_cast<float>(sample)), 1.0f, 3.0f}, 1);
+    const glm::vec3 mean = picture.mean(0);
+    picture.settle(0, 16);
+    EXPECT_EQ(picture.samples[0], 16u);
+    EXPECT_EQ(picture.mean(0), mean);
+    EXPECT_EQ(picture.sums[0].rays, 48.0f);
+    EXPECT_EQ(picture.halves[0], 0.0f) << "no error is left";
+    EXPECT_GT(picture.halves[1], 0.0f);
+    EXPECT_EQ(picture.samples[1], 2u);
+}
+
 TEST(PathPool, OverlappingTumblerEqualsExplicitInterfaces) {
     Tumbler tumbler = makeTumbler();
     const std::vector<DielectricMedium> media = {{1.333f, glm::vec3(0.1f)},

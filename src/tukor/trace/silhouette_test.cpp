@@ -1,10 +1,12 @@
 #include "tukor/trace/silhouette.h"
 
 #include <limits>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "tukor/trace/render.h"
 #include "tukor/trace/test_scenes.h"
 
 namespace tukor::trace {
@@ -90,6 +92,54 @@ TEST(Silhouette, IsEmptyWhereNothingIsAhead) {
     mesh.triangles = {{0, 1, 2}};
     broken.parts.push_back({"broken", "", metal(), mesh});
     EXPECT_EQ(count(broken, eyeAt({0.0f, 0.0f, 5.0f})).missed, 0);
+}
+
+/// Texels as different as those of a photograph.
+Image grain() {
+    Image panorama(256, 128);
+    std::mt19937 random(5);
+    for (glm::vec3& pixel : panorama.pixels())
+        pixel = glm::vec3(std::uniform_real_distribution<float>(0.2f, 0.6f)(random));
+    return panorama;
+}
+
+/// What pixels see of it, by 32 x 32 points in each.
+Image seenBehind(const Image& panorama, const Camera& camera) {
+    const EnvironmentMap map(panorama, 0.0f, 1.0f);
+    const RayGenerator rays(camera, kWidth, kHeight);
+    Image seen(kWidth, kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            for (int i = 0; i < 32 * 32; ++i) {
+                const glm::vec2 at = glm::vec2(x, y) + (glm::vec2(i % 32, i / 32) + 0.5f) / 32.0f;
+                seen.at(x, y) +=
+                    map.radiance(glm::normalize(rays.direction(at.x, at.y)), 0.0f) / 1024.0f;
+            }
+        }
+    }
+    return seen;
+}
+
+TEST(Sky, IsTheMeanOverEachPixelWithoutNoise) {
+    const Camera camera = eyeAt({0, 0, 4});
+    const Image panorama = grain();
+    const Image truth = seenBehind(panorama, camera);
+    RenderOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    double before = 0.3;  // codes
+    for (const int samples : {64, 256, 1024}) {
+        options.samples = samples;
+        options.seed = 0;
+        const Rendering one = render(Scene{}, panorama, camera, options);
+        options.seed = 1;
+        const Rendering other = render(Scene{}, panorama, camera, options);
+        EXPECT_EQ(rmse8(one.radiance, other.radiance), 0.0) << samples;
+        EXPECT_EQ(one.rays, 0u) << samples;
+        const double error = rmse8(one.radiance, truth);
+        EXPECT_LT(error, before) << samples;
+        before = 0.6 * error;
+    }
 }
 
 }  // namespace
