@@ -29,6 +29,8 @@ std::vector<std::string> Session::warnings() const {
         all.emplace_back(
             "gl refracts light in rough glass once, absorbs none and shows nothing behind it but "
             "the environment; --renderer trace shows all");
+    if (options_.camera.focus && !(options_.camera.aperture > 0.0f))
+        all.emplace_back("--focus says nothing without --aperture: all is sharp");
     if (options_.camera.aperture > 0.0f && lookUps_ == LookUps::cube)
         all.emplace_back(
             "gl draws all sharp, whatever the --aperture; --renderer trace blurs what is out of "
