@@ -135,21 +135,15 @@ void apply(const Sampler& sampler, const JsonItem& target, GltfNodePose& pose) {
         pose.scale = glm::dvec3(value);
 }
 
-/// By its name, or else by its number; the first where `which` is empty.
-std::optional<JsonItem> find(const JsonList& animations, std::string_view which) {
-    if (which.empty() && !animations.empty()) return animations[0];
-    for (const JsonItem animation : animations)
+JsonItem chosen(const GltfDocument& document, const JsonList& animations, std::string_view which) {
+    if (which.empty()) return animations[0];
+    std::vector<std::string> known;
+    for (const JsonItem animation : animations) {
         if (animation.textOr("name", "") == which) return animation;
+        known.push_back(printable(animation.textOr("name", "")));
+    }
     for (std::size_t i = 0; i < animations.size(); ++i)
         if (fmt::format("{}", i) == which) return animations[i];
-    return std::nullopt;
-}
-
-JsonItem chosen(const GltfDocument& document, const JsonList& animations, std::string_view which) {
-    if (const auto animation = find(animations, which)) return *animation;
-    std::vector<std::string> known;
-    for (const JsonItem animation : animations)
-        known.push_back(printable(animation.textOr("name", "")));
     throw Error(fmt::format("{}: no animation '{}'; there are {}", document.name(),
                             printable(which), fmt::join(known, ", ")));
 }
@@ -176,10 +170,13 @@ GltfPose poseAt(const GltfDocument& document, std::string_view which, double sec
 }
 
 double secondsOf(const GltfDocument& document, std::string_view which) {
-    const std::optional<JsonItem> animation = find(document.root().list("animations"), which);
-    if (!animation) return 0.0;
+    const JsonList animations = document.root().list("animations");
+    bool known = which.empty() && !animations.empty();
+    for (std::size_t i = 0; i < animations.size(); ++i)
+        known = known || animations[i].textOr("name", "") == which || fmt::format("{}", i) == which;
+    if (!known) return 0.0;
     double seconds = 0.0;
-    for (const JsonItem sampler : animation->list("samplers")) {
+    for (const JsonItem sampler : chosen(document, animations, which).list("samplers")) {
         const GltfAccessor times(document, sampler.at("input").count(), sampler);
         if (times.count() == 0) continue;
         seconds = std::max(seconds, static_cast<double>(times.vec4(times.count() - 1).x));
