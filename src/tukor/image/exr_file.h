@@ -44,7 +44,7 @@ struct ImageLayer {
     const Image& image, ExrPixels pixels,
     std::span<const std::pair<std::string, std::string>> metadata, const Progress& progress = {});
 
-/// Lets the library decode and encode on several threads; the bytes are the same.
+/// Lets the library decode on several threads.
 void startExrThreads();
 
 }  // namespace tukor

@@ -164,7 +164,8 @@ std::vector<std::byte> encodeExr(std::span<const ImageLayer> layers, ExrPixels p
         TUKOR_ASSERT(layer.image.width() == width && layer.image.height() == height);
     const std::vector<Channel> channels = channelsOf(layers);
     File file(width, height, channels, pixels, metadata);
-    constexpr int kAtOnce = 32;  // chunks in memory: 64 MB of 16384 floats across and four channels
+    constexpr int kAtOnce =
+        32;  // chunks in memory: 134 MB of 16384 floats across and four channels
     std::vector<std::vector<std::byte>> chunks(kAtOnce);
     for (int first = 0; first < height; first += kAtOnce * kChunkRows) {
         if (progress && !progress(static_cast<float>(first) / static_cast<float>(height)))

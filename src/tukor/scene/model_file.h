@@ -47,8 +47,7 @@ struct ModelChoices {
 [[nodiscard]] ModelChoices choicesOf(const std::string& nameOrPath);
 
 /// How long an animation lasts, in seconds, which as in ModelOptions; 0 where the model has not got
-/// it.
-/// Throws Error, as loadModel does.
+/// it. Throws Error, as loadModel does.
 [[nodiscard]] double animationSeconds(const std::string& nameOrPath, const std::string& animation);
 
 }  // namespace tukor

@@ -45,9 +45,10 @@ struct RayGenerator {
     glm::vec3 corner;
     glm::vec3 perColumn;
     glm::vec3 perRow;
-    glm::vec3 lensRight{0.0f}, lensUp{0.0f};  // its radius; 0 of a pinhole, which has no
-    glm::vec3 forward{0.0f};                  // of these
-    float focus = 1.0f;
+    // Of a lens alone, which a pinhole has not.
+    glm::vec3 lensRight{0.0f}, lensUp{0.0f};  // its radius
+    glm::vec3 forward{0.0f};
+    float focus = 1.0f;  // metres along that
 };
 
 class RoughEvent;

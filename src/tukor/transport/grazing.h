@@ -19,7 +19,7 @@ TUKOR_FN bool bendsAway(NormalChange change, vec3 d, float cosThetaI) {
 }
 
 /// Whether a camera ray of footprint `f` and direction `d` meets a curved clear surface so near its
-/// outline.
+/// outline that this bends away.
 TUKOR_FN bool grazes(Footprint f, vec3 d, SurfaceHit hit, Facing face) {
     if (hit.kind != kDielectric || face.cosThetaI > 0.5f) return false;
     NormalChange change =

@@ -190,11 +190,13 @@ TUKOR_FN Deposits splitBranch(TUKOR_INOUT(Tree) tree, Branch a, Branch b, float 
     return deposits;
 }
 
-/// Which of its ways light goes on; where chance decides, that way gets all of it in `s`.
+/// The ways on from a surface.
 TUKOR_CONST int kReflects = 0;
 TUKOR_CONST int kRefracts = 1;
 TUKOR_CONST int kSplits = 2;
 
+/// Which of them light goes; where chance decides, that way gets all of it in `s`. `weight`: the
+/// heaviness of what arrives.
 TUKOR_FN int wayOn(TUKOR_INOUT(Tree) tree, TUKOR_INOUT(Scattering) s, float weight,
                    float splitGain) {
     if (s.T <= 0.0f) return kReflects;
