@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "tukor/environment/cube_function.h"
@@ -93,7 +95,7 @@ struct PlacedPanel {
     float leastCosine = 0.0f;
 };
 
-glm::vec3 backdrop(glm::vec3 direction) {
+inline glm::vec3 backdrop(glm::vec3 direction) {
     // A pool of light on the wall behind the object, a floor lit from above, a dark ceiling.
     const float up = direction.y;
     const float wall = 0.05f + 0.30f * smooth(0.75f, -0.15f, up);
@@ -122,11 +124,15 @@ CubeMap studioCube(int faceSize) {
             lamp.direction = glm::normalize(lamp.direction);
             if (overlaps(lamp.direction, std::cos(lamp.radius))) seenLamps.push_back(lamp);
         }
-        return [seenPanels, seenLamps](glm::vec3 direction) {
-            glm::vec3 radiance = backdrop(direction);
-            for (const PlacedPanel& placed : seenPanels) placed.cover(direction, radiance);
-            for (const Lamp& lamp : seenLamps) lamp.cover(direction, radiance);
-            return radiance;
+        return [seenPanels = std::move(seenPanels), seenLamps = std::move(seenLamps)](
+                   std::span<const glm::vec3> directions, glm::vec3* shown) {
+            const std::size_t count = directions.size();
+            const glm::vec3* to = directions.data();
+            for (std::size_t i = 0; i < count; ++i) shown[i] = backdrop(to[i]);
+            for (const PlacedPanel& placed : seenPanels)
+                for (std::size_t i = 0; i < count; ++i) placed.cover(directions[i], shown[i]);
+            for (const Lamp& lamp : seenLamps)
+                for (std::size_t i = 0; i < count; ++i) lamp.cover(directions[i], shown[i]);
         };
     });
 }
