@@ -77,11 +77,14 @@ int render(const RenderArguments& arguments) {
         {
             ProgressBar bar(arguments.quiet ? ProgressBar::Loudness::quiet
                                             : ProgressBar::Loudness::terminal);
-            rendering = renderPicture(session, [&](float fraction, std::uint64_t rays) {
-                finished = fraction;
-                bar.show((static_cast<float>(i) + fraction) / static_cast<float>(count), rays);
-                return !InterruptWatch::interrupted();
-            });
+            rendering = renderPicture(
+                session,
+                [&](float fraction, std::uint64_t rays) {
+                    finished = fraction;
+                    bar.show((static_cast<float>(i) + fraction) / static_cast<float>(count), rays);
+                    return !InterruptWatch::interrupted();
+                },
+                showsBeyondWhite(out, session.options()));
         }
         if (InterruptWatch::interrupted() && count > 1) {  // one of a series is whole or not there
             fmt::print(stderr, "tukor: stopped after {} of {} pictures\n", i, count);

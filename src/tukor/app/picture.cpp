@@ -31,6 +31,11 @@ std::vector<std::string_view> onlyForTrace(const QualityOptions& quality) {
     return names;
 }
 
+bool holdsRadiance(const std::filesystem::path& out) {
+    const std::string extension = lowerExtension(out);
+    return extension == ".exr" || extension == ".hdr";
+}
+
 /// Where a picture ends far above the error that it was to have; empty where it does not.
 std::string missedError(const Rendering& rendering, const QualityOptions& quality) {
     constexpr double kUsual = 1.0;     // that of pictures for which nothing is said
@@ -82,7 +87,7 @@ std::vector<std::string> unusedInFile(const std::filesystem::path& out,
                                       const SessionOptions& options) {
     const std::string extension = lowerExtension(out);
     const bool jpeg = extension == ".jpg" || extension == ".jpeg";
-    const bool radiance = extension == ".exr" || extension == ".hdr";
+    const bool radiance = holdsRadiance(out);
     std::vector<std::string> all;
     const DevelopOptions usual;
     const DevelopOptions& develop = options.develop;
@@ -110,8 +115,16 @@ std::filesystem::path freshPicturePath(const std::filesystem::path& folder) {
     throw Error(fmt::format("{}: 9999 pictures are here already; move some away", folder.string()));
 }
 
-Rendering renderPicture(const Session& session, const RenderProgress& progress) {
-    const RenderOptions options = session.renderOptions();
+bool showsBeyondWhite(const std::filesystem::path& out, const SessionOptions& options) {
+    const Tonemap tonemap = options.develop.tonemap;
+    // To neutral it is the last 14 codes.
+    const bool whiteIsWhite = tonemap == Tonemap::none || tonemap == Tonemap::neutral;
+    return holdsRadiance(out) || options.develop.exposureStops < 0.0f || !whiteIsWhite;
+}
+
+Rendering renderPicture(const Session& session, const RenderProgress& progress, bool beyondWhite) {
+    RenderOptions options = session.renderOptions();
+    options.beyondWhite = beyondWhite;
     if (rendererFor(session.options()) == Renderer::gl) {
         const auto needTrace = onlyForTrace(session.options().quality);
         if (!needTrace.empty()) {

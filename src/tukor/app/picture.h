@@ -30,9 +30,14 @@ void requireWritablePicture(const std::filesystem::path& out, const SessionOptio
 /// `tukor-0001.png` or the first number after it that the folder does not have yet.
 [[nodiscard]] std::filesystem::path freshPicturePath(const std::filesystem::path& folder);
 
+/// Whether what is brighter than white tells in the file that savePicture writes.
+[[nodiscard]] bool showsBeyondWhite(const std::filesystem::path& out,
+                                    const SessionOptions& options);
+
 /// Throws Error when this build lacks the renderer, or it cannot work here. When `progress` asks to
-/// stop, the picture so far.
-[[nodiscard]] Rendering renderPicture(const Session& session, const RenderProgress& progress = {});
+/// stop, the picture so far. `beyondWhite` as in RenderOptions.
+[[nodiscard]] Rendering renderPicture(const Session& session, const RenderProgress& progress = {},
+                                      bool beyondWhite = true);
 
 /// Tone mapped and sRGB for .png and .jpg, linear radiance for .exr and .hdr; the command line that
 /// gives the picture, all options and the program's version go into its metadata.

@@ -97,6 +97,19 @@ TEST(UnusedInFile, NamesWhatTheFormatDoesNotHold) {
     EXPECT_EQ(said("a.hdr"), "background exposure tonemap png-depth jpeg-quality exr-pixels ");
 }
 
+TEST(ShowsBeyondWhite, WhereTheFileHoldsOrBendsOrDarkensIt) {
+    SessionOptions options;
+    EXPECT_FALSE(showsBeyondWhite("a.png", options)) << "neutral keeps 14 codes for it";
+    EXPECT_TRUE(showsBeyondWhite("a.exr", options));
+    EXPECT_TRUE(showsBeyondWhite("a.HDR", options));
+    options.develop.exposureStops = -1.0f;
+    EXPECT_TRUE(showsBeyondWhite("a.jpg", options));
+    options.develop.exposureStops = 1.0f;
+    EXPECT_FALSE(showsBeyondWhite("a.jpg", options));
+    options.develop.tonemap = Tonemap::agx;
+    EXPECT_TRUE(showsBeyondWhite("a.jpg", options));
+}
+
 TEST(ClippedInFile, CountsThePixelsThatHalfCutsOff) {
     SessionOptions options;
     options.develop.exrPixels = ExrPixels::half;

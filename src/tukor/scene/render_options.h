@@ -64,6 +64,9 @@ struct RenderOptions {
     // Whether a camera sample whose path lost track of its media, by rounding, is taken again a
     // little aside, where that is rare: where it is not, the model is at fault (trace only).
     bool retakeFaulty = true;
+    // Whether the picture will be asked what is brighter than white, as radiance, darkened or tone
+    // mapped: where not, no samples are spent on it (trace only).
+    bool beyondWhite = true;
     std::vector<AovLayer> layers;  // trace only
 
     friend bool operator==(const RenderOptions&, const RenderOptions&) = default;

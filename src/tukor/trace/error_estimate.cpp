@@ -93,14 +93,14 @@ glm::vec3 unclippedCode(glm::vec3 radiance) noexcept {
     return code;
 }
 
-Accumulation::Accumulation(int w, int h, bool isTransparent)
-    : width(w), height(h), transparent(isTransparent) {
+Accumulation::Accumulation(int w, int h, bool isTransparent, bool isBeyondWhite)
+    : width(w), height(h), transparent(isTransparent), beyondWhite(isBeyondWhite) {
     const std::size_t count = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
     sums.resize(count);
     samples.assign(count, 0);
     halves.assign(count, -1.0f);
     halvesBefore.assign(count, -1.0f);
-    brightHalves.assign(count, -1.0f);
+    if (beyondWhite) brightHalves.assign(count, -1.0f);
     active.assign(count, 1);
 }
 
@@ -118,7 +118,7 @@ void Accumulation::add(std::size_t pixel, const PixelSum& sum, std::uint32_t cou
         }
         halvesBefore[pixel] = halves[pixel];
         halves[pixel] = step.shown * share;
-        brightHalves[pixel] = step.bright * share;
+        if (beyondWhite) brightHalves[pixel] = step.bright * share;
     }
     sums[pixel].radiance += sum.radiance;
     sums[pixel].doubtful += sum.doubtful;
@@ -132,7 +132,8 @@ void Accumulation::settle(std::size_t pixel, std::uint32_t count) noexcept {
     const float scale = static_cast<float>(count) / static_cast<float>(samples[pixel]);
     sum = {scale * sum.radiance, scale * sum.coverage, scale * sum.rays, scale * sum.doubtful};
     samples[pixel] = count;
-    halves[pixel] = brightHalves[pixel] = 0.0f;
+    halves[pixel] = 0.0f;
+    if (beyondWhite) brightHalves[pixel] = 0.0f;
     halvesBefore[pixel] = -1.0f;  // tells nothing of how other pixels' differences shrink
 }
 
@@ -158,14 +159,14 @@ void ErrorEstimate::update(const Accumulation& picture) {
     const auto scale = static_cast<float>(1.0 / (std::exp2(decay_) - 1.0));
     const std::size_t count = picture.samples.size();
     raw_.resize(count, 0.0f);
-    rawBright_.resize(count, 0.0f);
+    if (picture.beyondWhite) rawBright_.resize(count, 0.0f);
     rays_.resize(count);
     sum_ = 0.0;
     doubt_ = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         if (picture.active[i] && picture.halves[i] >= 0.0f) {
             raw_[i] = picture.halves[i] * scale;
-            rawBright_[i] = picture.brightHalves[i] * scale;
+            if (picture.beyondWhite) rawBright_[i] = picture.brightHalves[i] * scale;
         }
         sum_ += raw_[i];
         doubt_ += picture.doubt(i);
@@ -175,9 +176,8 @@ void ErrorEstimate::update(const Accumulation& picture) {
     std::vector<float> lines;
     variance_ = raw_;
     bright_ = rawBright_;
-    smooth(variance_, picture.width, picture.height, lines);
-    smooth(bright_, picture.width, picture.height, lines);
-    smooth(rays_, picture.width, picture.height, lines);
+    for (std::vector<float>* values : {&variance_, &bright_, &rays_})
+        if (!values->empty()) smooth(*values, picture.width, picture.height, lines);
 }
 
 std::optional<double> ErrorEstimate::rmse() const noexcept {
@@ -216,11 +216,12 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
         if (left <= goal) break;
     }
     // Those that need at least half as many again; if there are none, so many as it takes.
-    if (activate(picture, bright_, threshold + margin(), maxSamples)) return true;
+    const std::vector<float>& wanted = picture.beyondWhite ? bright_ : variance_;
+    if (activate(picture, wanted, threshold + margin(), maxSamples)) return true;
     // Where some may not have what they need, the others still do their own share alone.
     for (std::size_t i = 0; i < count; ++i)
         if (picture.samples[i] >= maxSamples && binOf(picture, variance_, i) >= threshold)
-            return activate(picture, bright_, threshold, maxSamples);
+            return activate(picture, wanted, threshold, maxSamples);
     const double gained = 1.0 - std::exp2(-decay_);  // by doubling, of a variance
     double left = sum_;
     int least = kBins - 1;
@@ -229,12 +230,13 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
         if (left < goal) break;
     }
     for (; least >= 0; least -= margin())
-        if (activate(picture, bright_, least, maxSamples)) return true;
-    return activate(picture, bright_, 0, maxSamples);
+        if (activate(picture, wanted, least, maxSamples)) return true;
+    return activate(picture, wanted, 0, maxSamples);
 }
 
 bool ErrorEstimate::chooseBright(Accumulation& picture, double target,
                                  std::uint32_t maxSamples) const {
+    if (!picture.beyondWhite) return false;
     std::vector<float> beyond = bright_;
     double rays = 0.0;
     for (std::size_t i = 0; i < beyond.size(); ++i) {

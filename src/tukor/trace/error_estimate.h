@@ -16,7 +16,8 @@ namespace tukor::trace {
 /// The picture under way: sums of samples and what is known of their error.
 struct Accumulation {
     /// `transparent`: errors are those of the picture before black and before white, half each.
-    Accumulation(int w, int h, bool transparent = false);
+    /// `beyondWhite`: what displays do not show is to be as good as what they do.
+    Accumulation(int w, int h, bool transparent = false, bool beyondWhite = true);
 
     /// Rays that a sample of the pixel takes.
     [[nodiscard]] float raysEach(std::size_t pixel) const noexcept {
@@ -41,12 +42,14 @@ struct Accumulation {
     int width;
     int height;
     bool transparent;
+    bool beyondWhite;
     std::vector<PixelSum> sums;
     std::vector<std::uint32_t> samples;
     std::vector<float> halves;         // squared difference of the last two means, weighted so that
                                        // it is the variance of the mean for p = 1; -1: not known
     std::vector<float> halvesBefore;   // the same one doubling before
-    std::vector<float> brightHalves;   // as halves, of codes that go on beyond white
+    std::vector<float> brightHalves;   // as halves, of codes that go on beyond white; empty
+                                       // without `beyondWhite`
     std::vector<std::uint8_t> active;  // whether the last pass was for this pixel
 };
 
@@ -71,11 +74,12 @@ public:
     [[nodiscard]] double noiseWithin(double rmse) const noexcept;
 
     /// Marks the pixels to double so that the noise falls to `target` with the fewest rays, and
-    /// those brighter than white that are as far off in unclippedCode; false when there is none
-    /// that may have more.
+    /// those brighter than white that are as far off in unclippedCode, where these count; false
+    /// when there is none that may have more.
     bool chooseActive(Accumulation& picture, double target, std::uint32_t maxSamples) const;
 
-    /// When the target is reached: marks those brighter than white that lag behind the others.
+    /// When the target is reached: marks those brighter than white that lag behind the others,
+    /// where these count.
     bool chooseBright(Accumulation& picture, double target, std::uint32_t maxSamples) const;
 
 private:
@@ -91,11 +95,11 @@ private:
 
     std::vector<float> raw_;                 // variance of every pixel's mean, from its own samples
     std::vector<float> variance_;            // the same, averaged over its neighbourhood
-    std::vector<float> rawBright_, bright_;  // the same of unclippedCode
+    std::vector<float> rawBright_, bright_;  // the same of unclippedCode, or empty
     std::vector<float> rays_;                // that a sample takes, averaged likewise
     double sum_ = 0.0;                       // of raw_
     double doubt_ = 0.0;                     // of all pixels
-    double decay_ = 1.5;                     // p
+    double decay_ = 1.1;                     // p
     bool known_ = false;
 };
 

@@ -85,6 +85,23 @@ TEST(ErrorEstimate, DoubtsLampsThatWideLookUpsSaw) {
     EXPECT_NEAR(estimate.noiseWithin(std::sqrt(doubt)), std::sqrt(0.5 * doubt), 1e-4);
 }
 
+TEST(ErrorEstimate, BeyondWhiteCountsWhereItIsAsked) {
+    const auto goesOn = [](bool beyondWhite) {
+        Accumulation picture(8, 8, false, beyondWhite);
+        for (int sample = 0; sample < 2; ++sample)
+            for (std::size_t i = 0; i < 64; ++i) {
+                const float lamp = i < 32 ? 10.0f + 30.0f * static_cast<float>(sample) : 0.5f;
+                picture.add(i, {glm::vec3(lamp), 1.0f, 1.0f}, 1);
+            }
+        ErrorEstimate estimate;
+        estimate.update(picture);
+        EXPECT_EQ(*estimate.noise(), 0.0) << "displays show white";
+        return estimate.chooseBright(picture, 0.5, 64);
+    };
+    EXPECT_TRUE(goesOn(true));
+    EXPECT_FALSE(goesOn(false));
+}
+
 TEST(Accumulation, SeesShadowsOnNothing) {
     const auto step = [](bool transparent) {
         Accumulation picture(1, 1, transparent);

@@ -45,7 +45,7 @@ Passes::Passes(const Frame& frame, const PassGoals& goals, const RenderProgress&
       goals_(goals),
       skyLookUps_(skyLookUpsAcross(frame, goals)),
       progress_(progress),
-      picture_(frame.width, frame.height, !frame.background),
+      picture_(frame.width, frame.height, !frame.background, goals.beyondWhite),
       start_(std::chrono::steady_clock::now()) {}
 
 double Passes::elapsed() const {

@@ -38,6 +38,7 @@ PassGoals goalsOf(const RenderOptions& options) {
     }
     if (options.error) goals.error = *options.error;
     if (options.timeSeconds) goals.timeSeconds = *options.timeSeconds;
+    goals.beyondWhite = options.beyondWhite;
     if (!options.samples && !options.error && !options.timeSeconds) goals.error = 1.0;
     return goals;
 }
