@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <string>
 
-#include <OpenEXR/openexr.h>
 #include <fmt/format.h>
 
 #include "tukor/base/error.h"
+#include "tukor/image/exr_context.h"
 #include "tukor/image/image_size.h"
 
 namespace tukor {
@@ -20,26 +19,6 @@ namespace {
 constexpr std::uint64_t kMostPixelsPerByte = 1 << 14;
 // One chunk, all channels: 256 scanlines of 16384 float RGBA pixels, DWAB's largest.
 constexpr std::uint64_t kLargestChunk = 1 << 26;
-
-/// The library's last complaint; it prefers a callback to a return value.
-thread_local std::string complaint;
-
-void keepComplaint(exr_const_context_t, exr_result_t, const char* message) {
-    complaint = message ? message : "";
-}
-
-std::int64_t readBytes(exr_const_context_t, void* user, void* buffer, std::uint64_t size,
-                       std::uint64_t offset, exr_stream_error_func_ptr_t) {
-    const auto& bytes = *static_cast<const std::span<const std::byte>*>(user);
-    if (offset >= bytes.size()) return 0;
-    const std::uint64_t count = std::min<std::uint64_t>(size, bytes.size() - offset);
-    std::memcpy(buffer, bytes.data() + offset, count);
-    return static_cast<std::int64_t>(count);
-}
-
-std::int64_t sizeOfBytes(exr_const_context_t, void* user) {
-    return static_cast<std::int64_t>(static_cast<const std::span<const std::byte>*>(user)->size());
-}
 
 /// Steps over the attributes of all headers: the library allocates what they declare before it
 /// looks how much there is.
@@ -99,10 +78,6 @@ private:
     std::size_t at_ = 0;
 };
 
-struct Finish {
-    void operator()(exr_context_t context) const noexcept { exr_finish(&context); }
-};
-
 /// Walks the parts of one open file.
 class Checker {
 public:
@@ -116,12 +91,7 @@ public:
     }
 
 private:
-    void require(exr_result_t result) const {
-        if (result == EXR_ERR_SUCCESS) return;
-        throw Error(fmt::format(
-            "{}: damaged OpenEXR file: {}", name_,
-            complaint.empty() ? exr_get_default_error_message(result) : complaint.c_str()));
-    }
+    void require(exr_result_t result) const { requireExr(result, name_); }
 
     void checkWindow(const exr_attr_box2i_t& window) const {
         const auto extent = [](std::int64_t least, std::int64_t most) {
@@ -176,20 +146,8 @@ private:
 
 void checkExr(std::span<const std::byte> bytes, std::string_view name) {
     HeaderWalk(bytes, name).walk();
-    exr_context_initializer_t setup = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    setup.error_handler_fn = keepComplaint;
-    setup.user_data = &bytes;
-    setup.read_fn = readBytes;
-    setup.size_fn = sizeOfBytes;
-    complaint.clear();
-    exr_context_t context = nullptr;
-    const exr_result_t result = exr_start_read(&context, std::string(name).c_str(), &setup);
-    const std::unique_ptr<_priv_exr_context_t, Finish> owner(context);
-    if (result != EXR_ERR_SUCCESS)
-        throw Error(fmt::format(
-            "{}: damaged OpenEXR file: {}", name,
-            complaint.empty() ? exr_get_default_error_message(result) : complaint.c_str()));
-    Checker(context, bytes.size(), name).check();
+    const ExrContext context = openExr(bytes, name);
+    Checker(context.get(), bytes.size(), name).check();
 }
 
 }  // namespace tukor

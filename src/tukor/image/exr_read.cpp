@@ -20,6 +20,7 @@
 #include "tukor/base/error.h"
 #include "tukor/image/exr_check.h"
 #include "tukor/image/exr_file.h"
+#include "tukor/image/exr_zip.h"
 
 namespace tukor {
 
@@ -115,13 +116,15 @@ struct Pixels {
     Box2i window;
 };
 
-Pixels readChannels(Imf::MultiPartInputFile& file, const Source& source, std::string_view name) {
+Pixels readChannels(std::span<const std::byte> bytes, Imf::MultiPartInputFile& file,
+                    const Source& source, std::string_view name) {
     Imf::InputPart input(file, source.part);
     const Box2i window = input.header().dataWindow();
     const int width = window.max.x - window.min.x + 1;
     const int height = window.max.y - window.min.y + 1;
     Pixels out{Image(width, height), window};
     Imf::FrameBuffer frame;
+    std::vector<ExrSlice> slices;
     const auto insert = [&](const std::string& channel, float* first, std::size_t floats) {
         const Imf::Channel& found = input.header().channels()[channel];
         if (found.xSampling != 1 || found.ySampling != 1)
@@ -129,6 +132,7 @@ Pixels readChannels(Imf::MultiPartInputFile& file, const Source& source, std::st
                 fmt::format("{}: channel {} is stored at a lower resolution; only RY and BY "
                             "may be",
                             name, channel));
+        slices.push_back({channel, first, floats});
         frame.insert(channel,
                      Imf::Slice::Make(Imf::FLOAT, first, window, floats * sizeof(float),
                                       floats * sizeof(float) * static_cast<std::size_t>(width)));
@@ -145,8 +149,10 @@ Pixels readChannels(Imf::MultiPartInputFile& file, const Source& source, std::st
         out.image.alpha.resize(out.image.pixels().size());
         insert(source.prefix + "A", out.image.alpha.data(), 1);
     }
-    input.setFrameBuffer(frame);
-    input.readPixels(window.min.y, window.max.y);
+    if (!readZipScanlines(bytes, source.part, slices)) {
+        input.setFrameBuffer(frame);
+        input.readPixels(window.min.y, window.max.y);
+    }
     if (source.luminance)
         for (glm::vec3& pixel : out.image.pixels()) pixel = glm::vec3(pixel.x);
     return out;
@@ -256,7 +262,7 @@ Image decode(std::span<const std::byte> bytes, std::string_view name) {
     const Box2i display = header.displayWindow();
     Pixels pixels = source.chroma && file.parts() == 1
                         ? readLuminanceChroma(bytes, source.alpha, name)
-                        : readChannels(file, source, name);
+                        : readChannels(bytes, file, source, name);
     Image image = displayed(std::move(pixels), display, name);
     convertPrimaries(image, header);
     return image;

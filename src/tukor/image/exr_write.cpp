@@ -12,6 +12,7 @@
 #include "tukor/base/error.h"
 #include "tukor/base/parallel.h"
 #include "tukor/image/exr_file.h"
+#include "tukor/image/exr_zip.h"
 #include "tukor/image/zlib_stream.h"
 
 namespace tukor {
@@ -71,21 +72,9 @@ std::vector<std::uint8_t> rowsOf(std::span<const Channel> channels, ExrPixels pi
     return bytes;
 }
 
-/// As ZIP wants bytes before they are compressed: those at even places before those at odd ones,
-/// each as its difference from the one before it.
-std::vector<std::uint8_t> predicted(std::span<const std::uint8_t> bytes) {
-    std::vector<std::uint8_t> out(bytes.size());
-    const std::size_t evens = (bytes.size() + 1) / 2;
-    for (std::size_t i = 0; i < evens; ++i) out[i] = bytes[2 * i];
-    for (std::size_t i = evens; i < bytes.size(); ++i) out[i] = bytes[2 * (i - evens) + 1];
-    for (std::size_t i = out.size() - 1; i > 0; --i)
-        out[i] = static_cast<std::uint8_t>(out[i] - out[i - 1] + 128);
-    return out;
-}
-
 /// What is no smaller for it stays uncompressed, which readers tell by its size.
 std::vector<std::byte> chunkOf(std::span<const std::uint8_t> rows) {
-    std::vector<std::byte> stream = zlibStream(predicted(rows));
+    std::vector<std::byte> stream = zlibStream(predictedForZip(rows));
     if (stream.size() < rows.size()) return stream;
     const auto raw = std::as_bytes(rows);
     return {raw.begin(), raw.end()};

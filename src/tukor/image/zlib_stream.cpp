@@ -19,6 +19,12 @@ struct FreeCompressor {
     }
 };
 
+struct FreeDecompressor {
+    void operator()(libdeflate_decompressor* decompressor) const noexcept {
+        libdeflate_free_decompressor(decompressor);
+    }
+};
+
 }  // namespace
 
 std::vector<std::byte> zlibStream(std::span<const std::uint8_t> data) {
@@ -29,6 +35,15 @@ std::vector<std::byte> zlibStream(std::span<const std::uint8_t> data) {
     out.resize(libdeflate_zlib_compress(compressor.get(), data.data(), data.size(), out.data(),
                                         out.size()));
     return out;
+}
+
+bool readZlibStream(std::span<const std::byte> stream, std::span<std::uint8_t> out) {
+    const std::unique_ptr<libdeflate_decompressor, FreeDecompressor> decompressor(
+        libdeflate_alloc_decompressor());
+    if (!decompressor) throw Error("out of memory while reading a picture");
+    // Without a place for how much came it has to be all of `out`.
+    return libdeflate_zlib_decompress(decompressor.get(), stream.data(), stream.size(), out.data(),
+                                      out.size(), nullptr) == LIBDEFLATE_SUCCESS;
 }
 
 }  // namespace tukor
