@@ -230,10 +230,9 @@ void Session::apply(const SessionOptions& options) {
     }
     if (first || options.light.environment != options_.light.environment ||
         options.light.faceSize != options_.light.faceSize) {
-        // A small cube beside the panorama: made in a hundredth of the time that a fine one takes.
-        const std::optional<int> beside =
-            lookUps_ == LookUps::panorama ? std::optional(8) : std::nullopt;
-        environment = loadEnvironment(options.light.environment, {options.light.faceSize, beside});
+        environment = loadEnvironment(
+            options.light.environment,
+            {.faceSize = options.light.faceSize, .cubeBesidePanorama = lookUps_ == LookUps::cube});
     }
     std::vector<Light> ownLights = scene ? scene->lights : ownLights_;
     std::vector<Light> lights = ownLights;

@@ -63,9 +63,11 @@ Environment environmentFromPicture(const std::string& name, Image picture,
             cube = resizedCube(cube, *options.faceSize);
         return {name, std::move(cube), std::move(warnings)};
     }
-    const int faceSize = options.faceSize.value_or(options.faceSizeBesidePanorama.value_or(
-        std::min(faceSizeForEquirect(picture.width()), kLargestOwnChoice)));
-    CubeMap cube = cubeFromEquirect(picture, faceSize);
+    const int faceSize = options.faceSize.value_or(
+        std::min(faceSizeForEquirect(picture.width()), kLargestOwnChoice));
+    CubeMap cube = options.faceSize || options.cubeBesidePanorama
+                       ? cubeFromEquirect(picture, faceSize)
+                       : CubeMap(1);
     return {name, std::move(cube), std::move(warnings),
             std::make_shared<const Image>(std::move(picture))};
 }

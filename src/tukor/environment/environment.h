@@ -22,9 +22,9 @@ struct EnvironmentOptions {
     /// of width 1024: faces of 512 differ by 0.6 to 3.2, 1024 by 0.2 to 1.0, 2048 by 0.1 to 0.5.
     std::optional<int> faceSize;
 
-    /// The same for panoramas where `faceSize` says nothing: who looks up in the panorama itself
-    /// needs no fine cube beside it.
-    std::optional<int> faceSizeBesidePanorama = std::nullopt;
+    /// Whether panoramas become cubes, too, as they do where `faceSize` says how fine: who looks up
+    /// in the panorama itself needs none.
+    bool cubeBesidePanorama = true;
 };
 
 inline constexpr Range<int> kFaceSizeRange{1, 8192};
@@ -32,7 +32,7 @@ inline constexpr Range<int> kFaceSizeRange{1, 8192};
 /// An environment ready to light a scene. Texels are finite and non-negative.
 struct Environment {
     std::string name;
-    CubeMap radiance;
+    CubeMap radiance;  // a black texel a face where no cube was to be beside the panorama
     std::vector<std::string>
         warnings;  // replaced pixels and the like, one sentence each, without the file's name
 
