@@ -2,24 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace tukor::trace {
 
 namespace {
 
-/// A histogram over the binary logarithm of the variance that one more ray would take away.
+/// A histogram of the variance that one more ray would take away: eight bins to the octave, those
+/// of a float's exponent and the first three bits behind it.
 constexpr int kBins = 512;
-constexpr float kBinsPerOctave = 8.0f;
-constexpr float kLeastOctave = -48.0f;
+constexpr int kBinsPerOctave = 8;
+constexpr int kBitsBelow = 20;
+constexpr int kLeast = std::bit_cast<int>(0x1p-48f) >> kBitsBelow;
 
 int binOfWorth(float worth) {
-    const float octave = std::log2(std::max(worth, 1e-14f));
-    return std::clamp(static_cast<int>((octave - kLeastOctave) * kBinsPerOctave), 0, kBins - 1);
+    return std::clamp((std::bit_cast<int>(worth) >> kBitsBelow) - kLeast, 0, kBins - 1);
 }
 
-float worthOf(int bin) {
-    return std::exp2((static_cast<float>(bin) + 0.5f) / kBinsPerOctave + kLeastOctave);
+float worthOf(int bin) {  // its middle
+    return std::bit_cast<float>(((bin + kLeast) << kBitsBelow) + (1 << (kBitsBelow - 1)));
 }
 
 /// Of a radiance of at most white.
@@ -255,7 +257,7 @@ int ErrorEstimate::binOf(const Accumulation& picture, const std::vector<float>& 
 }
 
 int ErrorEstimate::margin() const noexcept {
-    return static_cast<int>(0.5 * (decay_ + 1.0) * static_cast<double>(kBinsPerOctave));
+    return static_cast<int>(0.5 * (decay_ + 1.0) * kBinsPerOctave);
 }
 
 bool ErrorEstimate::activate(Accumulation& picture, const std::vector<float>& variance, int least,

@@ -18,9 +18,10 @@ constexpr int kTile = 16;
 constexpr std::size_t kBatch = 4096;
 
 /// How many look-ups, in each direction, show what is in a pixel of the sky: so many to the texel,
-/// for the sky bends at texels, and at least two. The square of their distance is the error: with
-/// four to the texel about 0.13 codes under photographs, so an error of E wants 4 / sqrt(E). Where
-/// texels are smaller than the pixel each is a mean over its part.
+/// for the sky bends at texels. The square of their distance is the error: with four to the texel
+/// about 0.13 codes under photographs, so an error of E wants 4 / sqrt(E). Where texels are smaller
+/// than the pixel each is a mean over its part. At least two, for one is up to 0.45 codes off,
+/// which previews take.
 int skyLookUpsAcross(const Frame& frame, const PassGoals& goals) {
     const EnvironmentMap& seen = frame.backdrop ? *frame.backdrop : frame.environment;
     const RayGenerator& camera = frame.camera;
@@ -34,8 +35,10 @@ int skyLookUpsAcross(const Frame& frame, const PassGoals& goals) {
     const float each = goals.error         ? 4.0f / std::sqrt(static_cast<float>(*goals.error))
                        : goals.timeSeconds ? 4.0f
                                            : 0.5f * std::max(across, 8.0f);
-    const float wanted = std::ceil(std::clamp(each, 2.0f, 16.0f) * std::min(texels, 1.0f));
-    return static_cast<int>(std::min(std::max(wanted, 2.0f), across));
+    const float wanted = std::clamp(each, 1.0f, 16.0f) * std::min(texels, 1.0f);
+    const bool preview = goals.error && *goals.error >= 3.0;
+    return static_cast<int>(std::min(
+        preview ? std::max(std::round(wanted), 1.0f) : std::max(std::ceil(wanted), 2.0f), across));
 }
 
 }  // namespace
