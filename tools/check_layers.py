@@ -34,7 +34,7 @@ THIRD_PARTY = [
     (r"draco/", "src/tukor/scene bench/packed_shapes.cpp"),
     (r"meshoptimizer\.h$", "src/tukor/scene bench/packed_shapes.cpp"),
     (r"assimp/", "src/tukor/scene"),
-    (r"nlohmann/", "src/tukor/app apps src/tukor/image bench"),
+    (r"nlohmann/", "src/tukor/app apps src/tukor/environment src/tukor/image bench"),
     (r"EGL/", "src/tukor/gl/context.cpp apps/tukor/view"),
     (r"GLES[23]/", "src/tukor/gl apps/tukor/view apps/web tests"),
     (r"GLFW/", "apps/tukor"),

@@ -344,6 +344,14 @@ def test_environment_workshop(folder):
     fails("environment", "filter", "sky.exr", "-o", "a.png", "--kind", "sh", says=".json or .h", folder=folder)
 
 
+def test_environment_info_for_programs(folder):
+    info = json.loads(run("environment", "info", "studio", "--json", folder=folder)[0])
+    assert info["layout"] == "built in" and info["faceSize"] == 512 and info["repairs"] == [] and info["sun"] is None, info
+    assert len(info["sphericalHarmonics"]) == 9 and all(low < mean < high for low, mean, high in zip(info["least"], info["mean"], info["most"]))
+    sun = json.loads(run("environment", "info", "sky", "--json", folder=folder)[0])["sun"]
+    assert abs(sum(x * x for x in sun["direction"]) - 1) < 1e-5 and 0.2 < sun["angularRadiusDegrees"] < 0.4, sun
+
+
 def test_environment_exposure(folder):
     """A stop doubles the radiance of every output, once."""
     def least(name):  # a sun would be clipped by .png

@@ -289,13 +289,15 @@ int filterEnvironment(const SourceArguments& from, const TargetArguments& to,
     return 0;
 }
 
-int describeEnvironment(const SourceArguments& from, const std::string& thumbnail) {
+int describeEnvironment(const SourceArguments& from, const InfoArguments& arguments) {
+    const std::string& thumbnail = arguments.thumbnail;
     if (!thumbnail.empty()) {
         checkSavable(thumbnail);
         requireWritable(thumbnail);
     }
     const WorkSource source = loadWorkSource(from.in, from.layout.inLayout);
-    fmt::print("{}", describeWork(source));
+    const EnvironmentInfo info = infoOf(source);
+    fmt::print("{}", arguments.json ? jsonOf(info) : textOf(info));
     if (!thumbnail.empty()) saveImage(thumbnail, contactSheet(source));
     return 0;
 }

@@ -47,11 +47,16 @@ struct FilterArguments {
     Quantity quantity = Quantity::radiance;
 };
 
+struct InfoArguments {
+    std::string thumbnail;
+    bool json = false;
+};
+
 /// Exit statuses. They throw Error.
 int convertEnvironment(const SourceArguments& from, const TargetArguments& to,
                        const DevelopOptions& develop);
 int filterEnvironment(const SourceArguments& from, const TargetArguments& to,
                       const FilterArguments& arguments, const DevelopOptions& develop);
-int describeEnvironment(const SourceArguments& from, const std::string& thumbnail);
+int describeEnvironment(const SourceArguments& from, const InfoArguments& arguments);
 
 }  // namespace tukor

@@ -97,7 +97,7 @@ struct AllArguments {
     TargetArguments target;
     FilterArguments filter;
     DevelopOptions develop{.tonemap = Tonemap::none};
-    std::string thumbnail;
+    InfoArguments info;
     std::set<std::string> given;  // the options on the command line
 };
 
@@ -182,11 +182,12 @@ Command infoCommand() {
                     .footer =
                         "Examples\n"
                         "  tukor environment info street.hdr --thumbnail sheet.png\n"
-                        "  tukor environment info sky_{}.png",
-                    .run = [all] { return describeEnvironment(all->source, all->thumbnail); }};
+                        "  tukor environment info sky_{}.png --json",
+                    .run = [all] { return describeEnvironment(all->source, all->info); }};
     addSource(command, *all, Needs::something);
-    command.options.push_back(textOption("--thumbnail", all->thumbnail, "OUT",
+    command.options.push_back(textOption("--thumbnail", all->info.thumbnail, "OUT",
                                          "a contact sheet: three exposures and the six faces"));
+    command.options.push_back(flagOption("--json", all->info.json, "figures as JSON"));
     return command;
 }
 

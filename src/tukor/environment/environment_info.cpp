@@ -3,89 +3,116 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <span>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "tukor/environment/clipping.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/equirect.h"
-#include "tukor/environment/harmonics.h"
 #include "tukor/environment/layout.h"
 #include "tukor/environment/panorama.h"
-#include "tukor/environment/sun.h"
 
 namespace tukor {
 
 namespace {
 
-/// Of the texels that came out of the file, not of what is made of them.
-struct TexelRange {
-    glm::vec3 least = glm::vec3(INFINITY);
-    glm::vec3 most = glm::vec3(0.0f);
-    std::size_t aboveHalf = 0;  // texels with a component that half cannot hold
-
-    void add(std::span<const glm::vec3> texels) {
-        const float largest = largestOf(TexelFormat::rgba16f);
-        for (const glm::vec3& texel : texels) {
-            least = glm::min(least, texel);
-            most = glm::max(most, texel);
-            aboveHalf += std::max({texel.x, texel.y, texel.z}) > largest ? 1 : 0;
-        }
+/// Adds to the range of the texels that came out of the file, not of what is made of them.
+void addTexels(EnvironmentInfo& info, std::span<const glm::vec3> texels) {
+    const float largest = largestOf(TexelFormat::rgba16f);
+    for (const glm::vec3& texel : texels) {
+        info.least = glm::min(info.least, texel);
+        info.most = glm::max(info.most, texel);
+        info.aboveHalf += std::max({texel.x, texel.y, texel.z}) > largest ? 1 : 0;
     }
-};
+}
 
-TexelRange rangeOf(const WorkSource& source) {
-    TexelRange range;
-    if (source.square || !source.cube) {
-        range.add((source.square ? source.square : source.panorama)->pixels());
-        return range;
-    }
-    for (const CubeFace face : kCubeFaces) range.add(source.cube->texels(face));
-    return range;
+double degrees(float radians) {
+    return static_cast<double>(radians) * 180.0 / std::numbers::pi;
+}
+
+std::string triple(glm::dvec3 v) {
+    v += 0.0;  // -0 becomes 0
+    return fmt::format("{:.5g} {:.5g} {:.5g}", v.x, v.y, v.z);
+}
+
+nlohmann::ordered_json list(glm::dvec3 v) {
+    v += 0.0;
+    return {v.x, v.y, v.z};
 }
 
 }  // namespace
 
-std::string describeWork(WorkSource source) {
-    std::string text = fmt::format("layout     {}\nsize       {} x {}\n", source.layout,
-                                   source.width, source.height);
-    const TexelRange range = rangeOf(source);
+EnvironmentInfo infoOf(WorkSource source) {
+    EnvironmentInfo info;
+    info.layout = source.layout;
+    info.width = source.width;
+    info.height = source.height;
+    info.repairs = source.warnings;
+    if (source.square || !source.cube)
+        addTexels(info, (source.square ? source.square : source.panorama)->pixels());
+    else
+        for (const CubeFace face : kCubeFaces) addTexels(info, source.cube->texels(face));
     const Image& panorama = panoramaOf(source);
     const Spectrum spectrum = spectrumOf(panorama, 8);
-    const auto triple = [](glm::dvec3 v) {
-        v += 0.0;  // -0 becomes 0
-        return fmt::format("{:.5g} {:.5g} {:.5g}", v.x, v.y, v.z);
-    };
-    text += fmt::format("least      {}\nmost       {}\nmean       {}\n", triple(range.least),
-                        triple(range.most), triple(spectrum.mean));
-    if (range.aboveHalf > 0)
-        text += fmt::format("above half {} pixel{}, brighter than 65504\n", range.aboveHalf,
-                            range.aboveHalf == 1 ? "" : "s");
-    const int faceSize =
-        source.cube ? source.cube->faceSize() : faceSizeForEquirect(panorama.width());
-    text += fmt::format("cube map   {} texels an edge\n", faceSize);
-    if (source.warnings.empty()) text += "repaired   nothing\n";
-    for (const std::string& warning : source.warnings)
-        text += fmt::format("repaired   {}\n", warning);
-    if (const std::optional<Sun> sun = findSun(panorama)) {
-        constexpr double kDegrees = 180.0 / std::numbers::pi;
+    info.mean = spectrum.mean;
+    info.faceSize = source.cube ? source.cube->faceSize() : faceSizeForEquirect(panorama.width());
+    info.sun = findSun(panorama);
+    info.harmonics = harmonicsOf(spectrum, 3);
+    return info;
+}
+
+std::string textOf(const EnvironmentInfo& info) {
+    std::string text =
+        fmt::format("layout     {}\nsize       {} x {}\n", info.layout, info.width, info.height);
+    text += fmt::format("least      {}\nmost       {}\nmean       {}\n", triple(info.least),
+                        triple(info.most), triple(info.mean));
+    if (info.aboveHalf > 0)
+        text += fmt::format("above half {} pixel{}, brighter than 65504\n", info.aboveHalf,
+                            info.aboveHalf == 1 ? "" : "s");
+    text += fmt::format("cube map   {} texels an edge\n", info.faceSize);
+    if (info.repairs.empty()) text += "repaired   nothing\n";
+    for (const std::string& repair : info.repairs) text += fmt::format("repaired   {}\n", repair);
+    if (const std::optional<Sun>& sun = info.sun)
         text += fmt::format(
             "sun        towards {}, radius {:.3g} degrees, {:.3g} times the sky around it\n"
             "           irradiance {}\n",
-            triple(sun->direction), static_cast<double>(sun->angularRadius) * kDegrees,
+            triple(sun->direction), degrees(sun->angularRadius),
             static_cast<double>(sun->brightness), triple(sun->irradiance));
-    } else {
+    else
         text += "sun        none\n";
-    }
-    const Harmonics harmonics = harmonicsOf(spectrum, 3);
-    for (int l = 0; l < 3; ++l)
+    for (int l = 0; l < info.harmonics.bands; ++l)
         for (int m = -l; m <= l; ++m)
             text += fmt::format(
                 "SH {},{:<2}    {}\n", l, m,
-                triple(harmonics.coefficients[static_cast<std::size_t>(l * (l + 1) + m)]));
+                triple(info.harmonics.coefficients[static_cast<std::size_t>(l * (l + 1) + m)]));
     return text;
+}
+
+std::string jsonOf(const EnvironmentInfo& info) {
+    nlohmann::ordered_json json{
+        {"layout", info.layout},
+        {"width", info.width},
+        {"height", info.height},
+        {"least", list(info.least)},
+        {"most", list(info.most)},
+        {"mean", list(info.mean)},
+        {"aboveHalf", info.aboveHalf},
+        {"faceSize", info.faceSize},
+        {"repairs", info.repairs},
+        {"sun", nullptr},
+        {"sphericalHarmonics", nlohmann::ordered_json::array()},
+    };
+    if (const std::optional<Sun>& sun = info.sun)
+        json["sun"] = {{"direction", list(sun->direction)},
+                       {"angularRadiusDegrees", degrees(sun->angularRadius)},
+                       {"irradiance", list(sun->irradiance)},
+                       {"timesSky", sun->brightness}};
+    for (const glm::dvec3& coefficient : info.harmonics.coefficients)
+        json["sphericalHarmonics"].push_back(list(coefficient));
+    // Names of files may be in it, in whatever encoding.
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 Image contactSheet(WorkSource source) {

@@ -143,7 +143,7 @@ TEST(SaveWork, WritesWhatLoadWorkSourceReads) {
         for (const glm::vec3 d : kDirections)
             EXPECT_LT(glm::length(equirectRadiance(panorama, d) - landscape(d)), 0.04f) << name;
     }
-    EXPECT_THAT(describeWork(loadWorkSource(folder.path("vcross.exr"), std::nullopt)),
+    EXPECT_THAT(textOf(infoOf(loadWorkSource(folder.path("vcross.exr"), std::nullopt))),
                 testing::HasSubstr("layout     vertical cross\nsize       96 x 128\n"));
     const Image sheet =
         contactSheet(loadWorkSource(folder.path("oct.exr"), PictureForm::octahedral));
@@ -151,16 +151,20 @@ TEST(SaveWork, WritesWhatLoadWorkSourceReads) {
     EXPECT_EQ(sheet.height(), 3 * 384 + 128);
 }
 
-TEST(DescribeWork, MeasuresTheTexelsOfTheFile) {
+TEST(EnvironmentInfo, MeasuresTheTexelsOfTheFile) {
     WorkSource source;
     source.cube = CubeMap(8);
     for (const CubeFace face : kCubeFaces)
         for (glm::vec3& texel : source.cube->texels(face)) texel = {1.0f, 1.0f, 0.0f};
     source.cube->texels(CubeFace::posY)[9] = {0.25f, 70000.0f, 0.0f};
-    const std::string text = describeWork(std::move(source));
+    const EnvironmentInfo info = infoOf(std::move(source));
+    const std::string text = textOf(info);
     EXPECT_THAT(text, testing::HasSubstr("least      0.25 1 0\nmost       1 70000 0\n"));
     EXPECT_THAT(text, testing::HasSubstr("\nabove half 1 pixel, brighter than 65504\n"));
     EXPECT_THAT(text, testing::Not(testing::ContainsRegex(" -0[ \n]")));
+    const std::string json = jsonOf(info);
+    EXPECT_THAT(json, testing::HasSubstr("\"aboveHalf\": 1,"));
+    EXPECT_THAT(json, testing::HasSubstr("\"sun\": null"));
 }
 
 TEST(SaveWork, BlursNoMoreThanPixelsDoWhereTexelsAreAsFine) {
