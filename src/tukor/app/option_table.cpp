@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tukor/app/option_text.h"
+#include "tukor/app/series.h"
 #include "tukor/base/number_text.h"
 
 namespace tukor {
@@ -38,16 +39,21 @@ nlohmann::ordered_json jsonFromOption(const T& value, const Extra& extra) {
     }
 }
 
+template <class Group>
+void addRows(std::vector<OptionRow>& rows, std::string_view heading, const Group& group) {
+    describe(group, [&](std::string_view name, const auto& value, const auto& extra,
+                        std::string_view help) {
+        rows.push_back({std::string(heading), std::string(name), usageOf(extra), boundsOf(extra),
+                        std::string(help), textsFromOption(value, extra)});
+    });
+}
+
 }  // namespace
 
 std::vector<OptionRow> optionRows(const SessionOptions& options) {
     std::vector<OptionRow> rows;
     describeGroups(options, [&](std::string_view heading, const auto& group) {
-        describe(group, [&](std::string_view name, const auto& value, const auto& extra,
-                            std::string_view help) {
-            rows.push_back({std::string(heading), std::string(name), usageOf(extra),
-                            boundsOf(extra), std::string(help), textsFromOption(value, extra)});
-        });
+        addRows(rows, heading, group);
     });
     std::size_t i = 0;
     const SessionOptions defaults;
@@ -117,8 +123,10 @@ std::string markdownOfOptions() {
     std::string page =
         "# Options of `tukor render` and `tukor view`\n\n"
         "Written by `tukor markdown-options`; do not edit by hand.\n";
+    std::vector<OptionRow> rows = optionRows({});
+    addRows(rows, "Several pictures (`tukor render` alone)", SeriesOptions{});
     std::string heading;
-    for (const OptionRow& row : optionRows({})) {
+    for (const OptionRow& row : rows) {
         if (row.heading != heading) {
             heading = row.heading;
             page += fmt::format(

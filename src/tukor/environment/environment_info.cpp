@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tukor/base/number_text.h"
 #include "tukor/environment/clipping.h"
 #include "tukor/environment/cube_mips.h"
 #include "tukor/environment/equirect.h"
@@ -37,9 +38,13 @@ std::string triple(glm::dvec3 v) {
     return fmt::format("{:.5g} {:.5g} {:.5g}", v.x, v.y, v.z);
 }
 
+double rounded(double value) {  // 0.1, not what the float next to it is
+    return numberFromText(fmt::format("{:.7g}", value)).value();
+}
+
 nlohmann::ordered_json list(glm::dvec3 v) {
     v += 0.0;
-    return {v.x, v.y, v.z};
+    return {rounded(v.x), rounded(v.y), rounded(v.z)};
 }
 
 }  // namespace
@@ -106,9 +111,9 @@ std::string jsonOf(const EnvironmentInfo& info) {
     };
     if (const std::optional<Sun>& sun = info.sun)
         json["sun"] = {{"direction", list(sun->direction)},
-                       {"angularRadiusDegrees", degrees(sun->angularRadius)},
+                       {"angularRadiusDegrees", rounded(degrees(sun->angularRadius))},
                        {"irradiance", list(sun->irradiance)},
-                       {"timesSky", sun->brightness}};
+                       {"timesSky", rounded(static_cast<double>(sun->brightness))}};
     for (const glm::dvec3& coefficient : info.harmonics.coefficients)
         json["sphericalHarmonics"].push_back(list(coefficient));
     // Names of files may be in it, in whatever encoding.
