@@ -3,6 +3,7 @@
 
 usage: cli_test.py PROGRAM [NAME...]    NAME: only the tests whose names contain it
 """
+import glob
 import json
 import os
 import pty
@@ -17,6 +18,7 @@ import zlib
 import script_tests
 
 PROGRAM = os.path.abspath(sys.argv[1])
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 
 
 def run(*arguments, status=0, folder=None):
@@ -437,9 +439,29 @@ def test_environment_options_that_do_not_apply(folder):
     assert os.path.getsize(os.path.join(folder, "half.exr")) < 0.7 * os.path.getsize(os.path.join(folder, "float.exr"))
 
 
+def test_series_of_pictures(folder):
+    """--turntable and --fps number their pictures, and no two are the same."""
+    small = ("--size", "32x18", "--samples", "4")
+
+    def pictures(*words):
+        for old in glob.glob(os.path.join(folder, "film-*.png")):
+            os.remove(old)
+        run("render", *words, *small, "-o", "film-#.png", folder=folder)
+        names = sorted(os.listdir(folder))
+        contents = [open(os.path.join(folder, name), "rb").read() for name in names if name.startswith("film-")]
+        assert len(set(contents)) == len(contents), names
+        return len(contents)
+
+    subprocess.run([sys.executable, os.path.join(ROOT, "tools", "feature_scenes.py"), folder, "moved"], check=True)
+    assert pictures("torus-knot", "--turntable", "3") == 3
+    assert pictures("moved.glb", "--fps", "4", "--time-seconds", "0.25") == 3  # of one second
+    assert pictures("moved.glb", "--fps", "4", "--turntable", "5") == 5
+    fails("render", "torus-knot", "--fps", "4", *small, "-o", "film.png", says="animation", folder=folder)
+
+
 def test_options_page(folder):
     """docs/options.md is what the program writes."""
-    page = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "options.md")
+    page = os.path.join(ROOT, "docs", "options.md")
     written = run("markdown-options")[0]
     with open(page, encoding="utf-8") as file:
         assert file.read() == written, "docs/options.md is old: tukor markdown-options > docs/options.md"
