@@ -1,8 +1,8 @@
 #include "tukor/geometry/closedness.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,12 +31,40 @@ std::vector<unsigned> weld(const std::vector<glm::vec3>& positions) {
     return first;
 }
 
+/// As a triangle runs along it.
+struct Edge {
+    unsigned from, to;
+};
+
+/// Where the edges out of a vertex lead, in rising order.
+class EdgesByVertex {
+public:
+    EdgesByVertex(std::span<const Edge> edges, std::size_t vertices)
+        : starts_(vertices + 1, 0), ends_(edges.size()) {
+        for (const Edge& edge : edges) ++starts_[edge.from];
+        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+        for (const Edge& edge : edges) ends_[--starts_[edge.from]] = edge.to;
+        for (std::size_t v = 0; v < vertices; ++v)
+            std::sort(ends_.begin() + starts_[v], ends_.begin() + starts_[v + 1]);
+    }
+
+    std::span<const unsigned> operator[](unsigned vertex) const {
+        return std::span(ends_).subspan(
+            static_cast<std::size_t>(starts_[vertex]),
+            static_cast<std::size_t>(starts_[vertex + 1] - starts_[vertex]));
+    }
+
+private:
+    std::vector<std::ptrdiff_t> starts_;
+    std::vector<unsigned> ends_;
+};
+
 }  // namespace
 
 ClosednessReport checkClosed(const Mesh& mesh) {
     ClosednessReport report;
     const std::vector<unsigned> first = weld(mesh.positions);
-    std::vector<std::uint64_t> edges;  // directed: from in the upper half, to in the lower
+    std::vector<Edge> edges;
     edges.reserve(3 * mesh.triangles.size());
     std::vector<bool> used(mesh.positions.size(), false);
     std::int64_t faces = 0, vertices = 0;
@@ -58,23 +86,26 @@ ClosednessReport checkClosed(const Mesh& mesh) {
                 ++report.againstNormals;
             if (!used[corner[i]]) ++vertices;
             used[corner[i]] = true;
-            edges.push_back(std::uint64_t{corner[i]} << 32 | corner[(i + 1) % 3]);
+            edges.push_back({corner[i], corner[(i + 1) % 3]});
         }
     }
 
-    std::sort(edges.begin(), edges.end());
+    const EdgesByVertex outOf(edges, mesh.positions.size());
     std::int64_t undirected = 0;
-    for (std::size_t i = 0; i < edges.size();) {
-        std::size_t next = i;
-        while (next < edges.size() && edges[next] == edges[i]) ++next;
-        const auto count = static_cast<std::int64_t>(next - i);
-        const std::uint64_t reverse = edges[i] << 32 | edges[i] >> 32;
-        const auto [low, high] = std::equal_range(edges.begin(), edges.end(), reverse);
-        const std::int64_t back = high - low;
-        report.openEdges += std::max(count - back, std::int64_t{0});
-        if (count > 1) ++report.nonManifoldEdges;
-        if (back == 0 || edges[i] < reverse) ++undirected;
-        i = next;
+    for (unsigned from = 0; from < mesh.positions.size(); ++from) {
+        const std::span<const unsigned> ends = outOf[from];
+        for (auto end = ends.begin(); end != ends.end();) {
+            const unsigned to = *end;
+            const auto next = std::find_if(end, ends.end(), [&](unsigned v) { return v != to; });
+            const std::int64_t count = next - end;
+            const std::span<const unsigned> there = outOf[to];
+            const auto [low, high] = std::equal_range(there.begin(), there.end(), from);
+            const std::int64_t back = high - low;
+            report.openEdges += std::max(count - back, std::int64_t{0});
+            if (count > 1) ++report.nonManifoldEdges;
+            if (back == 0 || from < to) ++undirected;
+            end = next;
+        }
     }
     report.eulerCharacteristic = vertices - undirected + faces;
     return report;
