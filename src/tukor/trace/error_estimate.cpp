@@ -205,16 +205,17 @@ bool ErrorEstimate::chooseActive(Accumulation& picture, double target,
         variance[static_cast<std::size_t>(binOf(picture, variance_, i))] += variance_[i];
     // The cheapest way to a sum of variances: all pixels are worth the same per ray in the end.
     const double goal = target * target * static_cast<double>(count);
+    // What is worth more than the threshold falls to (threshold / worth)^power of its variance.
     const double power = decay_ / (decay_ + 1.0);
+    std::array<double, kBins> powers;
+    for (std::size_t bin = 0; bin < kBins; ++bin)
+        powers[bin] = std::pow(worthOf(static_cast<int>(bin)), power);
     int threshold = kBins - 1;
     for (; threshold > 0; --threshold) {
-        const double least = worthOf(threshold);
+        const double least = powers[static_cast<std::size_t>(threshold)];
         double left = 0.0;
-        for (int bin = 0; bin < kBins; ++bin) {
-            const double worth = worthOf(bin);
-            left += variance[static_cast<std::size_t>(bin)] *
-                    (worth > least ? std::pow(least / worth, power) : 1.0);
-        }
+        for (std::size_t bin = 0; bin < kBins; ++bin)
+            left += variance[bin] * std::min(least / powers[bin], 1.0);
         if (left <= goal) break;
     }
     // Those that need at least half as many again; if there are none, so many as it takes.
