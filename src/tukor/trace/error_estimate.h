@@ -99,7 +99,7 @@ private:
     std::vector<float> rays_;                // that a sample takes, averaged likewise
     double sum_ = 0.0;                       // of raw_
     double doubt_ = 0.0;                     // of all pixels
-    double decay_ = 1.1;                     // p
+    double decay_ = 1.15;                    // p
     bool known_ = false;
 };
 

@@ -16,7 +16,7 @@ struct PassGoals {
     std::uint32_t samples;        // the most that a pixel gets
     std::optional<double> error;  // expected RMSE in 8-bit sRGB
     std::optional<double> timeSeconds;
-    bool beyondWhite;  // whether what displays do not show is to be as good
+    bool beyondWhite = true;  // whether what displays do not show is to be as good
 };
 
 class Passes {
