@@ -71,8 +71,10 @@ float meanShare(glm::vec3 part, glm::vec3 whole) noexcept {
         Path& path = paths_[numbers[i]];
         const transport::Branch& ray = path.tree.branch;
         if (hits[i].surface < 0) {
-            if (ray.media == 0u) {
-                collect(path, transport::escape(path.tree));
+            if (ray.media == 0u) {  // transport::escape, without a copy of what is seen
+                collect(samples_[path.sample], ray.throughput, ray.direction,
+                        ray.footprint.directionX, ray.footprint.directionY);
+                transport::endBranch(path.tree);
             } else {
                 meet(path, hits[i]);
             }

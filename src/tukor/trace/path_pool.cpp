@@ -113,22 +113,24 @@ void PathPool::miss(const CameraSample& sample) noexcept {
                      frame_.environment.add(lookUps_, ray.direction, solidAngle)});
 }
 
-[[gnu::noinline]] void PathPool::collect(const CameraSample& sample,
-                                         const transport::Deposit& deposit) noexcept {
+[[gnu::noinline]] void PathPool::collect(const CameraSample& sample, const glm::vec3& throughput,
+                                         const glm::vec3& direction, const glm::vec3& directionX,
+                                         const glm::vec3& directionY) noexcept {
     const int most =
-        transport::lookUpsWorth(transport::heaviness(deposit.throughput), transport::kMostLookUps);
+        transport::lookUpsWorth(transport::heaviness(throughput), transport::kMostLookUps);
     if (lookUps_.room() < most) settle();
-    const int lookUps = frame_.environment.add(lookUps_, deposit.direction, deposit.directionX,
-                                               deposit.directionY, most);
-    const float width2 = std::max(dot(deposit.directionX, deposit.directionX),
-                                  dot(deposit.directionY, deposit.directionY));
-    owed_.push_back({deposit.throughput * (sample.weight / static_cast<float>(lookUps)),
-                     sample.target, lookUps, width2 > kTrusted * kTrusted});
+    const int lookUps = frame_.environment.add(lookUps_, direction, directionX, directionY, most);
+    const float width2 = std::max(dot(directionX, directionX), dot(directionY, directionY));
+    owed_.push_back({throughput * (sample.weight / static_cast<float>(lookUps)), sample.target,
+                     lookUps, width2 > kTrusted * kTrusted});
 }
 
 void PathPool::collect(const Path& path, const transport::Deposits& deposits) noexcept {
-    if (deposits.count > 0) collect(samples_[path.sample], deposits.first);
-    if (deposits.count > 1) collect(samples_[path.sample], deposits.second);
+    const auto add = [&](const transport::Deposit& d) {
+        collect(samples_[path.sample], d.throughput, d.direction, d.directionX, d.directionY);
+    };
+    if (deposits.count > 0) add(deposits.first);
+    if (deposits.count > 1) add(deposits.second);
 }
 
 void PathPool::settle() noexcept {

@@ -99,7 +99,10 @@ private:
     void disperse(Path& path, const transport::Encounter& met) const noexcept;
     [[nodiscard]] transport::Medium mediumOf(const Path& path, int number) const noexcept;
     void collect(const Path& path, const transport::Deposits& deposits) noexcept;
-    void collect(const CameraSample& sample, const transport::Deposit& deposit) noexcept;
+    /// Owes a look-up: as a transport::Deposit has it.
+    void collect(const CameraSample& sample, const glm::vec3& throughput,
+                 const glm::vec3& direction, const glm::vec3& directionX,
+                 const glm::vec3& directionY) noexcept;
     /// Does the look-ups that are owed.
     void settle() noexcept;
     /// Where a surface is not smooth, or the light of one was sampled; false: it is another's work.
